@@ -27,7 +27,7 @@ const PRODUCT: Program = Program {
             arguments: |own| {
                 with::<measure_args::Measure>(own, "Photos of one turn to girths, with a report")
             },
-            run: |said, global| measure_verb::measure(&read(said)?, global),
+            run: |stated, global| measure_verb::measure(&read(stated)?, global),
             runs: true,
         },
         Verb {
@@ -38,7 +38,7 @@ const PRODUCT: Program = Program {
                     "What can be measured with these photos, before minutes are spent",
                 )
             },
-            run: |said, global| doctor::doctor(&read(said)?, global),
+            run: |stated, global| doctor::doctor(&read(stated)?, global),
             runs: true,
         },
         Verb {
@@ -46,7 +46,7 @@ const PRODUCT: Program = Program {
             arguments: |own| {
                 with::<init::Init>(own, "A commented capture.toml from what is in the photos")
             },
-            run: |said, global| init::init(&read(said)?, global),
+            run: |stated, global| init::init(&read(stated)?, global),
             runs: true,
         },
         #[cfg(feature = "serve")]
@@ -56,7 +56,7 @@ const PRODUCT: Program = Program {
                 let about = "A page on this machine: drop photos, look at them, measure";
                 with::<crate::serve::Serve>(own, about)
             },
-            run: |said, global| crate::serve::serve(&read(said)?, global),
+            run: |stated, global| crate::serve::serve(&read(stated)?, global),
             runs: true,
         },
         Verb {
@@ -65,7 +65,7 @@ const PRODUCT: Program = Program {
                 let about = "Variants, runs or folders of results side by side: params, girths, surfaces, time";
                 with::<compare::CompareArgs>(own, about)
             },
-            run: |said, global| compare::compare_sides(&read(said)?, global),
+            run: |stated, global| compare::compare_sides(&read(stated)?, global),
             runs: true,
         },
         Verb {
@@ -74,7 +74,7 @@ const PRODUCT: Program = Program {
                 let about = "One person over time: girths at the same level, changes with intervals, what grew and shrank";
                 with::<follow::Following>(own, about)
             },
-            run: |said, global| follow::following(&read(said)?, global),
+            run: |stated, global| follow::following(&read(stated)?, global),
             runs: false,
         },
         Verb {
@@ -83,7 +83,7 @@ const PRODUCT: Program = Program {
                 let about = "How near captures of the same people come to each other: technical error, least significant change, correlation";
                 with::<repeat::Repeating>(own, about)
             },
-            run: |said, global| repeat::repeating(&read(said)?, global),
+            run: |stated, global| repeat::repeating(&read(stated)?, global),
             runs: false,
         },
         Verb {
@@ -92,17 +92,17 @@ const PRODUCT: Program = Program {
                 let about = "A printable marker mat for the disk: PDF or SVG at true scale";
                 with::<mat::MatArgs>(own, about)
             },
-            run: |said, global| mat::mat(&read(said)?, global),
+            run: |stated, global| mat::mat(&read(stated)?, global),
             runs: false,
         },
         Verb {
             name: "score",
             arguments: |own| with::<scoring::Scoring>(own, "A result against ground truth"),
-            run: |said, global| scoring::scoring(&read(said)?, global),
+            run: |stated, global| scoring::scoring(&read(stated)?, global),
             runs: false,
         },
     ],
-    jobs: &[("measure", |said, _| measuring::ahead(&read(said)?))],
+    jobs: &[("measure", |stated, _| measuring::ahead(&read(stated)?))],
     complete: provenance::completed,
     present: delivered::present,
     screen: ending::ending,
@@ -122,8 +122,8 @@ fn with<A: Args>(own: Command, about: &'static str) -> Command {
 }
 
 /// What was said, as a verb's arguments.
-fn read<A: FromArgMatches>(said: &ArgMatches) -> Result<A, Fault> {
-    A::from_arg_matches(said).map_err(Fault::input)
+fn read<A: FromArgMatches>(stated: &ArgMatches) -> Result<A, Fault> {
+    A::from_arg_matches(stated).map_err(Fault::input)
 }
 
 /// The program over another catalog, one that adds to the product's: called as that calls its program, `NAME VERSION`.

@@ -21,7 +21,7 @@ const TIMES: usize = 60;
 const POINTS: usize = 200;
 
 /// The least, and the middle. \[ms\]
-fn told(mut times: Vec<Duration>) -> [f64; 2] {
+fn reported(mut times: Vec<Duration>) -> [f64; 2] {
     times.sort_unstable();
     [times[0], times[times.len() / 2]].map(|t| t.as_secs_f64() * 1e3)
 }
@@ -85,7 +85,7 @@ fn single(place: &Place) -> [[f64; 2]; 3] {
         times[1].push(alone(place, &bare, n));
         times[2].push(node(n));
     }
-    times.map(told)
+    times.map(reported)
 }
 
 /// All points of a sweep in a new store. \[ms\]

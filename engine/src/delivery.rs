@@ -33,7 +33,7 @@ pub enum DeliveryError {
     /// Something else where a folder is wanted.
     #[error("{} is no folder; give another with --out", .0.display())]
     NoFolder(PathBuf),
-    /// A file that would lie elsewhere.
+    /// A file that would be elsewhere.
     #[error("{} is no name of a file in a folder of results", .0.display())]
     Name(PathBuf),
 }
@@ -156,7 +156,7 @@ pub fn check(folder: &Path) -> Result<(), DeliveryError> {
 }
 
 /// What `run.json` of a folder says.
-fn said(folder: &Path) -> Option<Map<String, Value>> {
+fn answer(folder: &Path) -> Option<Map<String, Value>> {
     let at = nofollow::folder(folder, &[]).ok()?;
     serde_json::from_slice(&nofollow::read(&at, RUN)?).ok()
 }
@@ -164,7 +164,7 @@ fn said(folder: &Path) -> Option<Map<String, Value>> {
 /// Whether a folder holds what is not the results of this: another's, or nobody knows whose.
 pub fn is_of_another(folder: &Path, of: &str) -> bool {
     let mut entries = std::fs::read_dir(folder).into_iter().flatten();
-    match said(folder) {
+    match answer(folder) {
         Some(run) => run.get("of").is_none_or(|whose| whose != of),
         None => entries.next().is_some(),
     }
@@ -184,7 +184,7 @@ impl Delivery {
         })?;
         // On a disk that knows no locks the files of two may stand side by side, each whole.
         let _ = held.lock();
-        let run = said(folder).unwrap_or_default();
+        let run = answer(folder).unwrap_or_default();
         let names = |key: &str| run.get(key).and_then(Value::as_object).cloned();
         let before = ["left", "files"].map(|key| names(key).unwrap_or_default());
         let text = |(name, hash): (String, Value)| Some((name, hash.as_str()?.to_owned()));
@@ -239,7 +239,7 @@ impl Delivery {
         Ok(())
     }
 
-    /// The folder that a file lies in, if it is there, and its own name.
+    /// The folder that a file is in, if it is there, and its own name.
     fn inner<'a>(&self, name: &'a str) -> Result<(Option<Folder>, &'a str), ()> {
         let (folders, last) = parts(Path::new(name)).ok_or(())?;
         Ok((nofollow::folder(&self.folder, &folders).ok(), last))

@@ -32,11 +32,11 @@ pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
     for (program, version) in stage.programs() {
         ledger.line(&format!("program {program}"), &version);
     }
-    for (name, said) in &node.params.values {
+    for (name, given) in &node.params.values {
         what.truncate("with ".len());
         what += name;
         value.clear();
-        let _ = write!(value, "{said}");
+        let _ = write!(value, "{given}");
         ledger.line(&what, &value);
     }
 }

@@ -21,7 +21,7 @@ pub enum OutError {
     },
 }
 
-/// The format of a kind that has no other: the artifact's own file, as it lies in the store.
+/// The format of a kind that has no other: the artifact's own file, as it is in the store.
 pub const RAW: &str = "artifact";
 
 /// The formats of a kind, the usual one first.

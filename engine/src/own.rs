@@ -152,7 +152,7 @@ pub(crate) fn files(root: &Path, name: &str, fits: impl Fn(&str) -> bool) -> Res
     }
 }
 
-/// All that lies on a shelf under a hash.
+/// All that is on a shelf under a hash.
 ///
 /// # Errors
 ///
@@ -237,7 +237,7 @@ pub(crate) fn folders(root: &Path) -> Result<Vec<PathBuf>> {
     Ok(all)
 }
 
-/// The size of all that lies on a shelf. \[bytes\]
+/// The size of all that is on a shelf. \[bytes\]
 ///
 /// # Errors
 ///

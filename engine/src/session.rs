@@ -20,7 +20,7 @@ pub use crate::past::runs;
 /// How to run.
 #[derive(Debug, Clone)]
 pub struct Options {
-    /// Where the store lies.
+    /// Where the store is.
     pub cache: PathBuf,
     /// How many threads work; `None` is one a core.
     pub threads: Option<usize>,
@@ -68,10 +68,10 @@ pub enum EngineError {
 /// An input has no folder, is unknown, or cannot be read.
 pub fn inputs(
     graph: &Graph,
-    said: &[(String, PathBuf)],
+    answer: &[(String, PathBuf)],
     store: &Store,
 ) -> Result<Vec<Files>, EngineError> {
-    let found = said_inputs(graph, said, store)?;
+    let found = said_inputs(graph, answer, store)?;
     let whole = |(files, input): (Option<Files>, &InputDecl)| {
         let about = match input.about.trim_end_matches('.') {
             "" => String::new(),
@@ -89,15 +89,15 @@ pub fn inputs(
 /// An input is unknown, or cannot be read.
 pub fn said_inputs(
     graph: &Graph,
-    said: &[(String, PathBuf)],
+    answer: &[(String, PathBuf)],
     store: &Store,
 ) -> Result<Vec<Option<Files>>, EngineError> {
     let memo_file = store.root().join("files.json");
     let mut memo = Memo::load(&memo_file);
     let folders: HashMap<&str, &PathBuf> =
-        said.iter().map(|(name, f)| (name.as_str(), f)).collect();
+        answer.iter().map(|(name, f)| (name.as_str(), f)).collect();
     let known: HashSet<&str> = graph.inputs.iter().map(|i| i.name.as_str()).collect();
-    if let Some((name, _)) = said.iter().find(|(name, _)| !known.contains(&**name)) {
+    if let Some((name, _)) = answer.iter().find(|(name, _)| !known.contains(&**name)) {
         let known: Vec<&str> = graph.inputs.iter().map(|i| i.name.as_str()).collect();
         let what = stage::unknown("input", name, &known);
         return Err(EngineError::Unknown(format!("`--input {name}`: {what}")));
@@ -138,7 +138,7 @@ pub fn run(
     run_in(store, graph, folders, wanted, options, watch, cancel)
 }
 
-/// As [`run`], of a part of a run that goes on beside it: its results lie in the store and nothing is recorded, so that
+/// As [`run`], of a part of a run that goes on beside it: its results are in the store and nothing is recorded, so that
 /// no list of runs has it and nobody takes it for the last one.
 ///
 /// # Errors

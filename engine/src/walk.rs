@@ -12,7 +12,7 @@ use std::time::Duration;
 const RETRY: Duration = Duration::from_millis(15);
 
 /// Who is told of each node by its place, as it is done.
-pub(crate) type Told<'a> = dyn Fn(usize, &Done) + Sync + 'a;
+pub(crate) type Reported<'a> = dyn Fn(usize, &Done) + Sync + 'a;
 
 /// Walks: one entry a node, `None` for those that were not wanted.
 pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
@@ -23,14 +23,14 @@ pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
 pub(crate) fn walk_told(
     job: &Job<'_>,
     around: &Surroundings<'_>,
-    told: &Told<'_>,
+    reported: &Reported<'_>,
 ) -> Vec<Option<Done>> {
     let mut agenda = Agenda::new(job);
     around.store.look_around(job.graph.nodes.len());
-    settle(job, around, told, &mut agenda);
+    settle(job, around, reported, &mut agenda);
     if !agenda.idle() {
         let (shared, bell) = (Mutex::new(agenda), Condvar::new());
-        let work = || work(job, (around, told), &shared, &bell);
+        let work = || work(job, (around, reported), &shared, &bell);
         match job.threads {
             0 => work(),
             threads => std::thread::scope(|scope| {
@@ -56,7 +56,12 @@ pub(crate) fn walk_told(
 
 /// Finds all that can be found without making anything, in the pipeline's order. What is left
 /// ready must be made.
-fn settle(job: &Job<'_>, around: &Surroundings<'_>, told: &Told<'_>, agenda: &mut Agenda<'_>) {
+fn settle(
+    job: &Job<'_>,
+    around: &Surroundings<'_>,
+    reported: &Reported<'_>,
+    agenda: &mut Agenda<'_>,
+) {
     let mut missing = Vec::new();
     loop {
         let ready = ready(job, around, agenda);
@@ -73,7 +78,7 @@ fn settle(job: &Job<'_>, around: &Surroundings<'_>, told: &Told<'_>, agenda: &mu
             match found {
                 Some(done) => {
                     around.watch.done(&job.graph.nodes[node].name, &done);
-                    told(node, &done);
+                    reported(node, &done);
                     agenda.finish(node, done, None);
                 }
                 None => missing.push(node),
@@ -117,7 +122,7 @@ impl Drop for Awake<'_, '_> {
 /// One worker: takes a ready node, runs it, makes others ready.
 fn work(
     job: &Job<'_>,
-    (around, told): (&Surroundings<'_>, &Told<'_>),
+    (around, reported): (&Surroundings<'_>, &Reported<'_>),
     shared: &Mutex<Agenda<'_>>,
     bell: &Condvar,
 ) {
@@ -125,7 +130,7 @@ fn work(
     let name = |node: usize| job.graph.nodes[node].name.as_str();
     let tell = |node: usize, done: &Done| {
         around.watch.done(name(node), done);
-        told(node, done);
+        reported(node, done);
     };
     let _awake = Awake(shared, bell);
     let mut held = lock();

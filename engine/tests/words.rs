@@ -98,7 +98,7 @@ fn a_variant_passes_short_words_over() {
 fn ten_lines_have_the_whole_command_line() {
     let place = tempfile::tempdir().unwrap();
     let (texts, example) = (texts(place.path()), example());
-    let said = |line: &str| {
+    let printed = |line: &str| {
         let input = format!("texts={}", texts.display());
         let pipeline = example.join("words.toml").display().to_string();
         let cache = place.path().join("cache").display().to_string();
@@ -116,15 +116,15 @@ fn ten_lines_have_the_whole_command_line() {
             all.chain(["--cache".into(), cache, "--quiet".into()]),
         )
     };
-    assert_eq!(said("run PIPELINE --input INPUT --out OUT"), 0);
+    assert_eq!(printed("run PIPELINE --input INPUT --out OUT"), 0);
     let written =
         |name: &str| std::fs::read_to_string(place.path().join("out").join(name)).unwrap();
     assert!(written("report.txt").starts_with("11 words in all\n"));
     assert!(written("counts.csv").contains("\ntwo.txt,again,1\n"));
     assert!(written("run.json").contains("\"program\": \"words 1\""));
-    assert_eq!(said("check PIPELINE"), 0);
-    assert_eq!(said("plan PIPELINE --input INPUT"), 0);
-    assert_eq!(said("sweep PIPELINE letters --input INPUT --out OUT"), 0);
+    assert_eq!(printed("check PIPELINE"), 0);
+    assert_eq!(printed("plan PIPELINE --input INPUT"), 0);
+    assert_eq!(printed("sweep PIPELINE letters --input INPUT --out OUT"), 0);
     let table = written("sweep.csv");
     let rows: Vec<&str> = table
         .lines()
@@ -140,15 +140,15 @@ fn ten_lines_have_the_whole_command_line() {
     );
     // What stands in no catalog is reported, with what was meant.
     assert_eq!(
-        said("sweep PIPELINE letters --input INPUT --tell counts.wrds"),
+        printed("sweep PIPELINE letters --input INPUT --tell counts.wrds"),
         2
     );
     assert_eq!(
-        said("show report --pipeline PIPELINE --input INPUT -o OUT2"),
+        printed("show report --pipeline PIPELINE --input INPUT -o OUT2"),
         0
     );
-    assert_eq!(said("stages words.count"), 0);
-    assert_eq!(said("run PIPELINE"), 2);
+    assert_eq!(printed("stages words.count"), 0);
+    assert_eq!(printed("run PIPELINE"), 2);
 }
 
 /// Permissions of these tests, and not of who runs them.

@@ -83,11 +83,11 @@ fn the_screen_and_json_say_the_same() {
     );
     assert!(lines[2].contains("0.80120 ± 0.00500"), "{screen}");
     assert!(lines[3].contains("c holds no photo"), "{screen}");
-    let told = json(&rows[0]);
-    assert_eq!(told["girths"][0]["tape"], 80.12);
-    assert_eq!(told["girths"][0]["interval"], json!([79.72, 80.72]));
+    let reported = json(&rows[0]);
+    assert_eq!(reported["girths"][0]["tape"], 80.12);
+    assert_eq!(reported["girths"][0]["interval"], json!([79.72, 80.72]));
     assert_eq!(
-        (&told["scale"], &told["unit"]),
+        (&reported["scale"], &reported["unit"]),
         (&json!("mat"), &json!("cm"))
     );
     assert_eq!(

@@ -51,8 +51,8 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     }
     let replicated = match (args.replicate, pipeline) {
         (Some(times), Some(file)) => {
-            let said = (times, args.tell.as_slice(), &args.change);
-            Some(of_variants(file, &what, said, global))
+            let stated = (times, args.tell.as_slice(), &args.change);
+            Some(of_variants(file, &what, stated, global))
         }
         (Some(_), None) => {
             let why = "--replicate runs variants: name their pipeline first: tailor compare paper-synth rigid_once median_once --replicate 8";
@@ -61,7 +61,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
         (None, _) => of_folders(&what),
     };
     if let Some(against) = replicated {
-        return told(&against?, args.out.as_deref(), global);
+        return reported(&against?, args.out.as_deref(), global);
     }
     let known = known_errors(args.repeat.as_deref())?;
     // A pipeline that cannot be is refused before any other runs.
@@ -125,7 +125,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
 }
 
 /// Prints and writes what comparing replicates came to.
-fn told(against: &Against, out: Option<&Path>, global: &GlobalArgs) -> Result<(), Fault> {
+fn reported(against: &Against, out: Option<&Path>, global: &GlobalArgs) -> Result<(), Fault> {
     let pretty = serde_json::to_string_pretty(&against.json()).expect("bug: JSON");
     if let Some(folder) = out {
         for (file, text) in [

@@ -2,7 +2,7 @@
 
 use crate::recipe::{Overrides, Pipeline};
 use crate::sweep::{
-    self, Point, Points, Replicates, Sweeping, Told, paired, pairs_page, pairs_text,
+    self, Point, Points, Replicates, Reported, Sweeping, paired, pairs_page, pairs_text,
 };
 use command::{Change, Fault, GlobalArgs, folders};
 use engine::Options;
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// What each side is called, and its points.
-type Sides = Vec<(String, Vec<Told>)>;
+type Sides = Vec<(String, Vec<Reported>)>;
 
 /// What two or more sides came to, and against the first.
 pub(super) struct Against {
@@ -57,8 +57,8 @@ pub(super) fn of_variants(
     let graphs = graphs
         .collect::<Result<Vec<_>, _>>()
         .map_err(Fault::mistakes)?;
-    for told in tell {
-        let (node, _) = told.split_once('.').unwrap_or((told, ""));
+    for reported in tell {
+        let (node, _) = reported.split_once('.').unwrap_or((reported, ""));
         command::node(&graphs[0], node)?;
     }
     let replicates = Replicates::of(times, &graphs, &[], &[]).map_err(Fault::input)?;
@@ -101,9 +101,9 @@ pub(super) fn of_variants(
     {
         return Err(Fault::input("stopped; run the same command to go on"));
     }
-    let told: Vec<Told> = rows.iter().map(Told::of).collect();
+    let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
     let own = |text: &&String| {
-        let own = told.iter().filter(|t| t.variant.as_ref() == Some(text));
+        let own = reported.iter().filter(|t| t.variant.as_ref() == Some(text));
         ((*text).clone(), own.cloned().collect())
     };
     Ok(Against::new(what.iter().map(own).collect()))
@@ -119,16 +119,16 @@ pub(super) fn of_folders(what: &[&String]) -> Option<Result<Against, Fault>> {
         let wrong = |why: &str| Fault::input(format!("{}: {why}", file(text).display()));
         let bytes = std::fs::read(file(text)).map_err(|e| wrong(&e.to_string()))?;
         let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| wrong(&e.to_string()))?;
-        let told =
-            Told::read(&sweep).ok_or_else(|| wrong("this is no sweep.json of `sweep --out`"))?;
-        if told
+        let reported = Reported::read(&sweep)
+            .ok_or_else(|| wrong("this is no sweep.json of `sweep --out`"))?;
+        if reported
             .iter()
-            .any(|t| t.variant.is_some() && t.variant != told[0].variant)
+            .any(|t| t.variant.is_some() && t.variant != reported[0].variant)
         {
             let why = "its points are of several variants, which its own page compares; give folders of one each";
             return Err(wrong(why));
         }
-        Ok(((*text).clone(), told))
+        Ok(((*text).clone(), reported))
     };
     let sides: Result<Sides, Fault> = what.iter().map(read).collect();
     Some(sides.and_then(|sides| {
@@ -145,7 +145,9 @@ pub(super) fn of_folders(what: &[&String]) -> Option<Result<Against, Fault>> {
 impl Against {
     fn new(sides: Sides) -> Against {
         let others = sides.iter().skip(1);
-        let pairs = others.map(|(_, told)| paired(&sides[0].1, told)).collect();
+        let pairs = others
+            .map(|(_, reported)| paired(&sides[0].1, reported))
+            .collect();
         Against { sides, pairs }
     }
 

@@ -3,7 +3,7 @@
 use super::facts::Facts;
 use super::folder;
 use super::provenance::get;
-use super::said::opened;
+use super::stated::opened;
 use crate::photos::photos;
 use crate::store::Store;
 use clap::Args;
@@ -52,7 +52,7 @@ pub(super) struct Look {
     people: Arc<People>,
     /// Which files are the turn, where that was said.
     pub(super) images: Vec<String>,
-    /// The photos that lie in the folder, by their names within it.
+    /// The photos that are in the folder, by their names within it.
     pub(super) files: Vec<String>,
 }
 
@@ -91,9 +91,12 @@ fn looked(
     again: &str,
 ) -> Result<Look, Fault> {
     let looked = folder::look(capture, facts, recursive, video)?;
-    let said = facts.said()?.into_iter().chain(looked.more.iter().cloned());
-    let said: Vec<_> = said.collect();
-    let mut graph = opened("doctor", looked.source.over(), None, &said, &[])?;
+    let stated = facts
+        .stated()?
+        .into_iter()
+        .chain(looked.more.iter().cloned());
+    let stated: Vec<_> = stated.collect();
+    let mut graph = opened("doctor", looked.source.over(), None, &stated, &[])?;
     folder::widen(&mut graph, &looked);
     let folders = looked.source.inputs();
     let store = Store::open(&global.cache).map_err(Fault::input)?;
@@ -240,8 +243,8 @@ fn screen(folder: &Path, look: &Look) -> String {
         },
     ];
     facts.retain(|fact| !fact.is_empty());
-    let mut said = format!("{}: {}\n", folder.display(), facts.join(", "));
-    said += &match text("motion") {
+    let mut stated = format!("{}: {}\n", folder.display(), facts.join(", "));
+    stated += &match text("motion") {
         "turn" => format!(
             "the camera stood still ({:.0} % of the picture does)\n",
             found["still_pct"].as_f64().unwrap_or(0.0)
@@ -251,15 +254,15 @@ fn screen(folder: &Path, look: &Look) -> String {
             found["still_pct"].as_f64().unwrap_or(0.0)
         ),
     };
-    said += &noise(found);
+    stated += &noise(found);
     let lines = odd(look);
     if !lines.is_empty() {
-        said += "\nwhat is odd\n";
-        said += &lines.concat();
+        stated += "\nwhat is odd\n";
+        stated += &lines.concat();
     }
-    said += "\nwhat can be measured\n";
+    stated += "\nwhat can be measured\n";
     for (what, how) in found["can"].as_object().into_iter().flatten() {
-        said += &format!("  {what:<8} {}\n", message(how));
+        stated += &format!("  {what:<8} {}\n", message(how));
     }
-    said
+    stated
 }

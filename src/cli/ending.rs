@@ -7,7 +7,7 @@ use command::Ran;
 use shape::{Cameras, Girths, Photos};
 use std::path::Path;
 
-/// A run is told by its nodes, whose names are English.
+/// A run is estimated by its nodes, whose names are English.
 const ENGLISH: Words = Words {
     language: Language::En,
     inches: false,
@@ -29,6 +29,6 @@ pub(crate) fn ending(ran: &Ran<'_>) -> Option<String> {
         cameras: cameras.as_deref(),
         girths: &girths,
     };
-    let told = screen(ENGLISH, &of);
-    Some(told + &warned(ENGLISH, &warnings(ran, Some(&girths))))
+    let reported = screen(ENGLISH, &of);
+    Some(reported + &warned(ENGLISH, &warnings(ran, Some(&girths))))
 }

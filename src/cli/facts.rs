@@ -2,7 +2,7 @@
 
 use super::length::{age_months, length_mm, weight_kg};
 use super::mat_file::mat_file;
-use super::said::{All, Said, place};
+use super::stated::{All, Stated, place};
 use clap::Args;
 use command::Fault;
 use std::path::PathBuf;
@@ -119,8 +119,8 @@ impl Facts {
     /// A flag that cannot be read.
     pub(super) fn given(&self, key: &str) -> Result<Option<String>, Fault> {
         let begin = format!("{}=", place(key));
-        let said = self.said()?;
-        let value = said.iter().find_map(|s| s.set.strip_prefix(&begin));
+        let stated = self.stated()?;
+        let value = stated.iter().find_map(|s| s.set.strip_prefix(&begin));
         Ok(value.map(|text| match text.parse::<f64>() {
             Ok(_) => text.to_owned(),
             Err(_) => toml::Value::from(text.trim_matches('"')).to_string(),
@@ -140,14 +140,14 @@ impl Facts {
     }
 
     /// The changes of the pipeline.
-    pub(super) fn said(&self) -> Result<Vec<Said>, Fault> {
+    pub(super) fn stated(&self) -> Result<Vec<Stated>, Fault> {
         let mut all = All(Vec::new());
         if let Some(file) = &self.mat {
             for (key, value) in mat_file(file)? {
                 all.put("--mat", &file.display(), &key, value);
             }
         }
-        for (flag, said, key, unit) in [
+        for (flag, stated, key, unit) in [
             ("--stature", &self.stature, "subject.height_cm", "cm"),
             (
                 "--disk-diameter",
@@ -160,7 +160,7 @@ impl Facts {
             ("--rim-tag", &self.rim_tag, "rim.tag_size_mm", "mm"),
             ("--rim-radius", &self.rim_radius, "rim.radius_mm", "mm"),
         ] {
-            let Some(text) = said else { continue };
+            let Some(text) = stated else { continue };
             let mm = length_mm(text, unit).map_err(|why| Fault::input(format!("{flag}: {why}")))?;
             let per = if unit == "cm" { 10.0 } else { 1.0 };
             all.put(flag, text, key, (mm / per).into());
@@ -173,12 +173,12 @@ impl Facts {
             let months = age_months(text).map_err(|why| Fault::input(format!("--age: {why}")))?;
             all.put("--age", text, "subject.age_years", (months / 12.0).into());
         }
-        for (flag, said, key) in [
+        for (flag, stated, key) in [
             ("--focal", self.focal, "camera.focal_35mm"),
             ("--focal-px", self.focal_px, "camera.focal_px"),
             ("--step", self.step, "step_deg"),
         ] {
-            if let Some(number) = said {
+            if let Some(number) = stated {
                 all.put(flag, &number, key, number.into());
             }
         }
@@ -195,14 +195,14 @@ impl Facts {
         if let Some(views) = self.views {
             all.put("--views", &views, "views", views.into());
         }
-        for (flag, said, key) in [
+        for (flag, stated, key) in [
             ("--plate", &self.plate, "plate"),
             ("--name", &self.name, "name"),
             ("--date", &self.date, "date"),
             ("--sex", &self.sex, "subject.sex"),
             ("--born", &self.born, "subject.born"),
         ] {
-            if let Some(text) = said {
+            if let Some(text) = stated {
                 all.put(flag, text, key, text.clone().into());
             }
         }
@@ -217,11 +217,11 @@ impl Facts {
 
     /// Flags of several numbers, and free ones.
     fn compound(&self, all: &mut All) -> Result<(), Fault> {
-        for (flag, said, key) in [
+        for (flag, stated, key) in [
             ("--mat-ids", &self.mat_ids, "mat"),
             ("--rim-ids", &self.rim_ids, "rim"),
         ] {
-            let Some(text) = said else { continue };
+            let Some(text) = stated else { continue };
             let ends = text.split_once('-');
             let ends =
                 ends.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
@@ -270,7 +270,7 @@ impl Facts {
             };
             let (key, value) = text.split_once('=').ok_or_else(wrong)?;
             let set = format!("{}={}", place(key.trim()), value.trim());
-            all.0.push(Said {
+            all.0.push(Stated {
                 flag: format!("--fact {text}"),
                 set,
             });

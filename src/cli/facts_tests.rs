@@ -11,11 +11,11 @@ struct Line {
     facts: Facts,
 }
 
-fn said(flags: &str) -> Vec<Said> {
+fn stated(flags: &str) -> Vec<Stated> {
     let words = std::iter::once("x").chain(flags.split_whitespace());
     let line = Line::try_parse_from(words).unwrap_or_else(|e| panic!("{e}"));
     line.facts
-        .said()
+        .stated()
         .unwrap_or_else(|fault| panic!("{}", fault.text()))
 }
 
@@ -35,9 +35,9 @@ fn known(table: &str) -> Vec<String> {
     let sets = facts
         .iter()
         .map(|(k, v)| (k.clone(), crate::recipe::parse_value(&v.to_string())));
-    let said = BTreeMap::from([("facts".to_owned(), Value::Table(sets.collect()))]);
+    let stated = BTreeMap::from([("facts".to_owned(), Value::Table(sets.collect()))]);
     let stage = crate::catalog::find("capture.load").unwrap();
-    let Err(mistakes) = stage.check(&said) else {
+    let Err(mistakes) = stage.check(&stated) else {
         panic!("{text} passes")
     };
     let (_, known) = mistakes[0]
@@ -49,20 +49,20 @@ fn known(table: &str) -> Vec<String> {
 
 #[test]
 fn every_key_of_capture_toml_has_its_flag() {
-    let all = said(
+    let all = stated(
         "--stature 178 --weight 80 --sex male --born 2016-05-01 --focal 26 --focal-px 3000 --centre-px 4,5 --step 20 --views 18 --images a.jpg \
          --plate p.jpg --name me --date 2026-05-01 --disk-diameter 70 --mat-tag 60 --mat-ids 0-11 --mat-ring 187 --rim-tag 24 \
          --rim-ids 12-47 --rim-radius 225 --reference tag_size=60 --seen a.jpg=1,2,3,4",
     )
     .into_iter()
-    .chain(said("--age 9.5"));
-    let all: Vec<Said> = all.collect();
+    .chain(stated("--age 9.5"));
+    let all: Vec<Stated> = all.collect();
     let places: Vec<&str> = all
         .iter()
         .map(|s| s.set.split('=').next().unwrap())
         .collect();
     let tables = ["camera", "subject", "disk", "mat", "rim", "reference"];
-    // What nobody reads needs no flag: names of cameras, what lies on the disk, the one family.
+    // What nobody reads needs no flag: names of cameras, what is on the disk, the one family.
     let silent = ["make", "model", "top", "family"];
     for table in [""].iter().chain(&tables) {
         let keys = known(table);
@@ -82,7 +82,7 @@ fn every_key_of_capture_toml_has_its_flag() {
 
 #[test]
 fn flags_become_keys_in_their_units() {
-    let sets = |flags: &str| -> Vec<String> { said(flags).into_iter().map(|s| s.set).collect() };
+    let sets = |flags: &str| -> Vec<String> { stated(flags).into_iter().map(|s| s.set).collect() };
     assert_eq!(
         sets("--stature 5ft10in"),
         ["photos.facts.subject.height_cm=177.8"]
@@ -116,7 +116,7 @@ fn flags_become_keys_in_their_units() {
 fn a_photo_is_pointed_at_once() {
     let words = "x --seen a.jpg=1,2,3,4 --seen b.jpg=5,6,7,8 --seen a.jpg=1,2,3,5";
     let line = Line::try_parse_from(words.split_whitespace()).unwrap_or_else(|e| panic!("{e}"));
-    let fault = line.facts.said().err().expect("named twice");
+    let fault = line.facts.stated().err().expect("named twice");
     let text = fault.text();
     assert!(text.contains("a.jpg was named before"), "{text}");
 }

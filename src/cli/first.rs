@@ -129,8 +129,8 @@ impl Answer {
         };
         if let Some(girths) = get::<Girths>(graph, &outcome, "girths").filter(|_| !self.quiet) {
             let put = [("girths", in_short(self.words, &girths).into())];
-            let told = broken(&self.words.with("screen-first", &put), 2);
-            above(|| command::errln!("{}", told.trim_end()));
+            let reported = broken(&self.words.with("screen-first", &put), 2);
+            above(|| command::errln!("{}", reported.trim_end()));
         }
         let page = self.run(graph, "report");
         let written = page.and_then(|outcome| self.write(graph, &outcome));
@@ -138,8 +138,8 @@ impl Answer {
         if written.is_some() && !self.quiet {
             let page = self.out.join("report.html").display().to_string();
             let put = [("path", page.into())];
-            let told = self.words.with("screen-first-report", &put);
-            above(|| command::errln!("{told}"));
+            let reported = self.words.with("screen-first-report", &put);
+            above(|| command::errln!("{reported}"));
         }
     }
 

@@ -2,8 +2,8 @@
 //! and what cannot be read.
 
 use super::facts::Facts;
-use super::said::Said;
 use super::source::Source;
+use super::stated::Stated;
 use crate::catalog::{READ, foreign, is_photo, is_plate};
 use crate::graph::Graph;
 use crate::pattern::{natural, stays_inside};
@@ -24,14 +24,14 @@ pub(super) struct Looked {
     pub(super) patterns: Vec<String>,
     /// The photos of the folder, by their names within it; those that only patterns name are not among them.
     pub(super) photos: Vec<String>,
-    /// A plate that is named and may lie in any folder below.
+    /// A plate that is named and may be in any folder below.
     plate: Option<String>,
     /// Whether there is a photo or video of the empty scene.
     pub(super) plate_there: bool,
     /// How many tags the mat has that is known of, as it was given; empty where that was not.
     pub(super) mat: Option<String>,
     /// What follows from the folder, as if it were said.
-    pub(super) more: Vec<Said>,
+    pub(super) more: Vec<Stated>,
     /// What the user should know.
     pub(super) warnings: Vec<Message>,
     /// Why photos are too few to be measured, if they are.
@@ -102,7 +102,7 @@ pub(super) fn look(
         looked.patterns = below(&photos);
         let list = looked.patterns.iter().cloned().map(toml::Value::from);
         let list = toml::Value::Array(list.collect());
-        looked.more.push(Said {
+        looked.more.push(Stated {
             flag: "--recursive".into(),
             set: format!("photos.facts.images={list}"),
         });
@@ -128,7 +128,7 @@ fn too_few(capture: &Path, photos: usize) -> Message {
     message!(TOO_FEW, folder = folder, count = photos)
 }
 
-/// What lies in the folder and is not read; an error where there is nothing else.
+/// What is in the folder and is not read; an error where there is nothing else.
 fn unread(capture: &Path, names: &[String], nothing_else: bool) -> Result<Vec<Message>, Fault> {
     let (shown, strange) = (capture.display(), foreign(names));
     if nothing_else && !strange.is_empty() {
@@ -177,9 +177,9 @@ pub(super) fn widen(graph: &mut Graph, looked: &Looked) {
 }
 
 /// What `images` says: the flag, else the file.
-fn wanted(said: &[String], file: &toml::Table) -> Vec<String> {
-    if !said.is_empty() {
-        return said.to_vec();
+fn wanted(stated: &[String], file: &toml::Table) -> Vec<String> {
+    if !stated.is_empty() {
+        return stated.to_vec();
     }
     match file.get("images") {
         Some(toml::Value::String(one)) => vec![one.clone()],
@@ -193,10 +193,10 @@ fn wanted(said: &[String], file: &toml::Table) -> Vec<String> {
 
 /// The plate that is named, the flag before the file.
 fn named_plate(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
-    let said = facts.given("plate")?;
-    let said = said.map(|text| text.trim_matches('"').to_owned());
+    let stated = facts.given("plate")?;
+    let stated = stated.map(|text| text.trim_matches('"').to_owned());
     let file = file.get("plate").and_then(toml::Value::as_str);
-    Ok(said.or(file.map(str::to_owned)))
+    Ok(stated.or(file.map(str::to_owned)))
 }
 
 /// How many tags the mat has, the flag before the file; empty where that is not said.
@@ -207,7 +207,7 @@ fn mat(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
     Ok((facts.tagged() || mat.is_some()).then(|| count.unwrap_or_default()))
 }
 
-/// The same where it lies in a folder below and is no pattern itself.
+/// The same where it is in a folder below and is no pattern itself.
 fn plate(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
     let named = named_plate(facts, file)?;
     let below =
@@ -251,7 +251,7 @@ fn list(
         match is_folder {
             false => names.push(name),
             true if skipped || entry.path().join("run.json").exists() => {}
-            // A link may lead back to where it lies.
+            // A link may lead back to where it is.
             true if into.contains(&base.as_str())
                 || recursive && !entry.file_type()?.is_symlink() =>
             {

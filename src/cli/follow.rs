@@ -30,14 +30,14 @@ pub(crate) fn following(args: &Following, global: &GlobalArgs) -> Result<(), Fau
     }
     let known = known_errors(args.repeat.as_deref())?;
     let series = series(&args.captures).map_err(Fault::input)?;
-    let told = follow(&args.name, &series, &known);
-    let pretty = serde_json::to_string_pretty(&json(&told)).expect("bug: JSON");
+    let reported = follow(&args.name, &series, &known);
+    let pretty = serde_json::to_string_pretty(&json(&reported)).expect("bug: JSON");
     if let Some(out) = &args.out {
-        let (page, surfaces) = page(&told, &series);
+        let (page, surfaces) = page(&reported, &series);
         let mut files = vec![
-            ("follow.md".to_owned(), markdown(&told).into_bytes()),
+            ("follow.md".to_owned(), markdown(&reported).into_bytes()),
             ("follow.json".to_owned(), pretty.clone().into_bytes()),
-            ("follow.csv".to_owned(), csv(&told).into_bytes()),
+            ("follow.csv".to_owned(), csv(&reported).into_bytes()),
             ("follow.html".to_owned(), page.into_bytes()),
         ];
         files.extend(surfaces);
@@ -45,7 +45,7 @@ pub(crate) fn following(args: &Following, global: &GlobalArgs) -> Result<(), Fau
     }
     match global.json {
         true => command::outln!("{pretty}"),
-        false => command::out!("{}", markdown(&told)),
+        false => command::out!("{}", markdown(&reported)),
     }
     Ok(())
 }

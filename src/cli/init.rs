@@ -68,11 +68,11 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
 
 /// A key: said where its value is known, else a comment with what it may look like.
 fn line(to: &mut String, key: &str, known: Option<String>, like: &str, note: &str) {
-    let said = match known {
+    let stated = match known {
         Some(value) => format!("{key} = {value}"),
         None => format!("# {key} = {like}"),
     };
-    let _ = writeln!(to, "{said:<32} # {note}");
+    let _ = writeln!(to, "{stated:<32} # {note}");
 }
 
 /// A number as TOML has it: with a point.
@@ -128,7 +128,7 @@ fn turn(to: &mut String, name: &str, seen: &Look, facts: &Facts) -> Result<(), F
     Ok(())
 }
 
-/// Where the photo of the empty scene lies. One that is no photo of the folder (of a video, raw) or shares its
+/// Where the photo of the empty scene is. One that is no photo of the folder (of a video, raw) or shares its
 /// name with another is found by its name alone.
 fn plate(seen: &Look) -> Option<&str> {
     let name = seen.findings["plate"].as_str()?;

@@ -101,7 +101,7 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
 
 /// The params of `pose.mat` that the arguments set.
 fn params(args: &MatArgs, ending: String) -> BTreeMap<String, Value> {
-    let mut said = BTreeMap::from([
+    let mut stated = BTreeMap::from([
         ("diameter_mm".to_owned(), Value::Float(args.diameter_mm)),
         ("print".to_owned(), Value::Text(ending)),
         ("sheet".to_owned(), Value::Text(args.paper.to_lowercase())),
@@ -112,7 +112,7 @@ fn params(args: &MatArgs, ending: String) -> BTreeMap<String, Value> {
         ("rim_tag_mm", args.rim_tag_mm),
     ] {
         if let Some(value) = value {
-            said.insert(name.into(), Value::Float(value));
+            stated.insert(name.into(), Value::Float(value));
         }
     }
     for (name, value) in [
@@ -121,10 +121,10 @@ fn params(args: &MatArgs, ending: String) -> BTreeMap<String, Value> {
         ("rim_count", args.rim_count),
     ] {
         if let Some(value) = value {
-            said.insert(name.into(), Value::Int(i64::from(value)));
+            stated.insert(name.into(), Value::Int(i64::from(value)));
         }
     }
-    said
+    stated
 }
 
 /// The mat as the stage lays it out, and what it tells of it.

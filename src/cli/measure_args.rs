@@ -39,8 +39,8 @@ pub(super) enum Up {
 }
 
 /// A word of the command line as a param has it; `auto` where none was said.
-fn word(said: Option<&impl clap::ValueEnum>) -> String {
-    let value = said.and_then(clap::ValueEnum::to_possible_value);
+fn word(stated: Option<&impl clap::ValueEnum>) -> String {
+    let value = stated.and_then(clap::ValueEnum::to_possible_value);
     value.map_or("auto".to_owned(), |value| value.get_name().to_owned())
 }
 
@@ -120,9 +120,9 @@ impl Measure {
 
     /// What the reader wants to read.
     pub(super) fn words(&self) -> Words {
-        let said = self.lang.as_deref().and_then(Language::of);
+        let stated = self.lang.as_deref().and_then(Language::of);
         Words {
-            language: said.unwrap_or_else(Language::of_environment),
+            language: stated.unwrap_or_else(Language::of_environment),
             inches: self.inches(),
         }
     }

@@ -5,7 +5,7 @@ use super::delivered::place_of_results;
 use super::measure_args::Measure;
 use super::measuring::one;
 use super::provenance::called;
-use super::said::Said;
+use super::stated::Stated;
 use crate::delivery::Delivery;
 use crate::store::Store;
 use command::{Fault, GlobalArgs, whose};
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// `tailor measure`: each folder on its own; one that fails does not stop the others.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
-    let said = measure.facts.said()?;
+    let stated = measure.facts.stated()?;
     if measure.profile.is_some() && measure.folders.len() > 1 {
         return Err(Fault::input("--profile is of one run: give one folder"));
     }
@@ -23,17 +23,17 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
         ..global.clone()
     };
     if let [capture] = measure.folders.as_slice() {
-        let measured = one(measure, capture, measure.out.as_deref(), &said, global)?;
+        let measured = one(measure, capture, measure.out.as_deref(), &stated, global)?;
         if global.json {
             command::outln!("{}", pretty(&measured.run()));
         }
         return Ok(());
     }
-    many(measure, &said, global)
+    many(measure, &stated, global)
 }
 
 /// Several captures: a row each, one table.
-fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fault> {
+fn many(measure: &Measure, stated: &[Stated], global: &GlobalArgs) -> Result<(), Fault> {
     let places = places(measure)?;
     let (mut answers, mut rows, mut failed) = (Vec::new(), Vec::new(), Vec::new());
     for (capture, out) in measure.folders.iter().zip(&places) {
@@ -41,12 +41,12 @@ fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fau
         if !global.json && !global.quiet {
             command::errln!("{shown}:");
         }
-        match one(measure, capture, Some(out), said, global) {
+        match one(measure, capture, Some(out), stated, global) {
             Ok(measured) => {
                 let (out, run) = (measured.out.display().to_string(), measured.run());
                 let row = cohort::Row::measured(capture, &measured);
-                let told = cohort::json(&row);
-                answers.push(json!({ "folder": shown, "out": out, "row": told, "run": run }));
+                let reported = cohort::json(&row);
+                answers.push(json!({ "folder": shown, "out": out, "row": reported, "run": run }));
                 rows.push(row);
             }
             // The user asked to stop.
@@ -66,8 +66,8 @@ fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fau
         }
     }
     if let Some(out) = &measure.out {
-        let told = rows.iter().map(cohort::json).collect::<Vec<_>>();
-        let json = pretty(&json!({ "program": global.catalog().program, "captures": told }));
+        let reported = rows.iter().map(cohort::json).collect::<Vec<_>>();
+        let json = pretty(&json!({ "program": global.catalog().program, "captures": reported }));
         table(measure, out, global, &cohort::csv(&rows), json.into_bytes())?;
     }
     match global.json {
@@ -121,7 +121,7 @@ fn places(measure: &Measure) -> Result<Vec<PathBuf>, Fault> {
     let mut places: Vec<PathBuf> = Vec::new();
     for capture in &measure.folders {
         let (alone, name) = place_of_results(capture, None).or_else(|fault| {
-            // Somebody says where to write: what lies beside the folder does not matter.
+            // Somebody says where to write: what is beside the folder does not matter.
             let out = measure.out.as_deref().ok_or(fault)?;
             let whole = capture.canonicalize().unwrap_or_else(|_| capture.clone());
             Ok((out.to_owned(), called(&whole)))

@@ -7,9 +7,9 @@ use super::live::Live;
 use super::measure_args::Measure;
 use super::prepared::Prepared;
 use super::provenance::{get, sentences};
-use super::said::{Said, opened};
 use super::screen::{Of, screen, warned};
 use super::source::Source;
+use super::stated::{Stated, opened};
 use super::words;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
@@ -34,11 +34,11 @@ const MASKS: &str = "masks";
 fn pipeline(
     measure: &Measure,
     source: &Source,
-    said: &[Said],
+    stated: &[Stated],
     first: Option<&str>,
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
     if let Source::Scan(..) = source {
-        if let Some(fact) = said.first() {
+        if let Some(fact) = stated.first() {
             return Err(Fault::input(format!(
                 "{}: of photos; a scan takes --unit-of-file and --up",
                 fact.flag
@@ -50,7 +50,7 @@ fn pipeline(
             .chain(measure.inches().then(|| "report.unit=in".to_owned()))
             .chain(measure.set.iter().cloned())
             .collect();
-        let graph = opened("surface", None, measure.variant.clone(), said, &sets)?;
+        let graph = opened("surface", None, measure.variant.clone(), stated, &sets)?;
         return Ok((graph, source.inputs()));
     }
     let mut sets = Vec::new();
@@ -82,7 +82,7 @@ fn pipeline(
     sets.extend(first.map(|answer| format!("report.answer={answer}")));
     let fast = (first.is_some() || measure.fast).then(|| FAST.to_owned());
     let variant = fast.or_else(|| measure.variant.clone());
-    let graph = opened(name, source.over(), variant, said, &sets)?;
+    let graph = opened(name, source.over(), variant, stated, &sets)?;
     Ok((graph, folders))
 }
 
@@ -92,7 +92,7 @@ fn first_answer(
     measure: &Measure,
     ready: &Prepared,
     looked: &Looked,
-    said: &[Said],
+    stated: &[Stated],
     global: &GlobalArgs,
 ) -> Option<Arc<First>> {
     let scan = matches!(looked.source, Source::Scan(..));
@@ -104,7 +104,7 @@ fn first_answer(
     if alone {
         return None;
     }
-    let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
+    let more: Vec<Stated> = stated.iter().chain(&looked.more).cloned().collect();
     let graph = |answer| {
         let (mut graph, _) = pipeline(measure, &looked.source, &more, Some(answer)).ok()?;
         folder::widen(&mut graph, looked);
@@ -147,7 +147,7 @@ pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, F
         let what = "--private belongs to the command line: here, give a cache that you remove";
         return Err(Fault::input(what));
     }
-    let facts = measure.facts.said()?;
+    let facts = measure.facts.stated()?;
     one(&measure, capture, measure.out.as_deref(), &facts, global)
 }
 
@@ -158,9 +158,9 @@ pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, F
 /// What is said of it, or the folder, is wrong.
 #[cfg(feature = "serve")]
 pub(crate) fn prepared_one(measure: &Measure) -> Result<Prepared, Fault> {
-    let said = measure.facts.said()?;
+    let stated = measure.facts.stated()?;
     let folder = &measure.folders[0];
-    let ready = prepared(measure, folder, measure.out.as_deref(), &said)?;
+    let ready = prepared(measure, folder, measure.out.as_deref(), &stated)?;
     Ok(ready.0)
 }
 
@@ -168,10 +168,10 @@ fn prepared(
     measure: &Measure,
     capture: &Path,
     out: Option<&Path>,
-    said: &[Said],
+    stated: &[Stated],
 ) -> Result<(Prepared, Looked), Fault> {
     let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
-    let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
+    let more: Vec<Stated> = stated.iter().chain(&looked.more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, &looked.source, &more, None)?;
     let (out, shown) = place_of_results(capture, out)?;
     if let Some(few) = looked
@@ -214,8 +214,8 @@ pub(crate) fn ahead(measure: &Measure) -> Result<Job, Fault> {
         ([], [capture, nodes @ ..]) => (*capture, nodes),
         _ => return Err(Fault::input("one capture at a time: give one folder")),
     };
-    let said = measure.facts.said()?;
-    let (ready, _) = prepared(measure, capture, measure.out.as_deref(), &said)?;
+    let stated = measure.facts.stated()?;
+    let (ready, _) = prepared(measure, capture, measure.out.as_deref(), &stated)?;
     let name = |word: &&PathBuf| word.to_string_lossy().into_owned();
     Ok(Job {
         graph: ready.graph,
@@ -230,8 +230,8 @@ fn unended(measure: &Measure, ready: &Prepared, live: &Live, global: &GlobalArgs
     if global.json || global.quiet {
         return;
     }
-    let told = [ready.warnings.clone(), live.warnings()].concat();
-    let text = warned(measure.words(), &told);
+    let reported = [ready.warnings.clone(), live.warnings()].concat();
+    let text = warned(measure.words(), &reported);
     if !text.is_empty() {
         command::errln!("{}", text.trim_end());
     }
@@ -242,10 +242,10 @@ pub(super) fn one(
     measure: &Measure,
     capture: &Path,
     out: Option<&Path>,
-    said: &[Said],
+    stated: &[Stated],
     global: &GlobalArgs,
 ) -> Result<Measured, Fault> {
-    let (ready, looked) = prepared(measure, capture, out, said)?;
+    let (ready, looked) = prepared(measure, capture, out, stated)?;
     let graph = &ready.graph;
     // Who is no command line cannot be repeated by one.
     let again: Vec<String> = match global.host.watch {
@@ -255,7 +255,7 @@ pub(super) fn one(
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     store.note_delivery(&ready.out, &ready.whose(), &ready.folders);
     let again = again.join(" ");
-    let first = first_answer(measure, &ready, &looked, said, global);
+    let first = first_answer(measure, &ready, &looked, stated, global);
     let mut global = global.clone();
     if let Some(first) = &first {
         global.host.beside = Some(first.clone());
@@ -279,10 +279,10 @@ pub(super) fn one(
             cameras: cameras.as_deref(),
             girths: &girths,
         };
-        let mut told = ready.warnings.clone();
-        told.extend(sentences(&Ran::of(graph, &outcome, &[]), &girths));
+        let mut reported = ready.warnings.clone();
+        reported.extend(sentences(&Ran::of(graph, &outcome, &[]), &girths));
         let words = measure.words();
-        command::out!("{}{}", screen(words, &of), warned(words, &told));
+        command::out!("{}{}", screen(words, &of), warned(words, &reported));
         let shown = |path: &Path| path.display().to_string();
         let place = |key, path: &Path| words.with(key, &[("path", shown(path).into())]);
         command::outln!("\n{}", place("screen-files", &ready.out));

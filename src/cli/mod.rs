@@ -21,10 +21,10 @@ pub(crate) mod measuring;
 pub(crate) mod prepared;
 pub(crate) mod provenance;
 pub(crate) mod repeat;
-mod said;
 pub(crate) mod scoring;
 mod screen;
 mod source;
+mod stated;
 pub(crate) mod words;
 
 pub use measuring::{Measured, measured};

@@ -20,7 +20,7 @@ pub(crate) struct Prepared {
     pub(crate) warnings: Vec<Message>,
     /// What was handed over.
     pub(super) capture: PathBuf,
-    /// Where results will lie.
+    /// Where results will be.
     pub(super) out: PathBuf,
     /// What the capture is called.
     pub(super) shown: String,

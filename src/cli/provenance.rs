@@ -144,7 +144,7 @@ mod tests {
         let pair = |node: &str, warning: &str| (node.to_owned(), warning.into());
         let (first, again) = (pair("placed", "no length"), pair("cameras", "no length"));
         let other = pair("cameras", "few features");
-        let told = super::each_once([first.clone(), again, other.clone()].into_iter());
-        assert_eq!(told, [first, other]);
+        let reported = super::each_once([first.clone(), again, other.clone()].into_iter());
+        assert_eq!(reported, [first, other]);
     }
 }

@@ -1,4 +1,4 @@
-//! The last screen of `tailor measure`: what was measured, what was not, and where it lies.
+//! The last screen of `tailor measure`: what was measured, what was not, and where it is.
 
 use crate::words::language::{Language, Words};
 use crate::words::messages::{in_words, read};
@@ -49,7 +49,7 @@ pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
     for (name, value, note) in &girths.ratios {
         let name = ratio(words, name);
         let value = words.number(*value, 3);
-        let note = told(words, note);
+        let note = reported(words, note);
         let line = format!("{name:<wide$} {value:>8}  {note}");
         text += &broken(line.trim_end(), wide + 11);
     }
@@ -63,7 +63,7 @@ pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
     }
     // One reason is shown once, for all that it is the reason of.
     for (why, all) in by_reason(&girths.missing) {
-        let why = told(words, why);
+        let why = reported(words, why);
         let all = read(words, &girth_names(&all));
         text += &broken(&format!("  {all}: {why}"), 4);
     }
@@ -142,7 +142,7 @@ pub(crate) fn warned(words: Words, warnings: &[Message]) -> String {
     let count = words.with("screen-warnings", &[("count", warnings.len().into())]);
     let mut text = format!("\n{count}\n");
     for warning in warnings {
-        text += &broken(&format!("  {}", told(words, warning)), 4);
+        text += &broken(&format!("  {}", reported(words, warning)), 4);
     }
     text
 }
@@ -156,7 +156,7 @@ fn ratio(words: Words, name: &str) -> String {
 }
 
 /// A message of a stage. The English texts of pages speak of their fields where stages speak of flags.
-fn told(words: Words, message: &Message) -> String {
+fn reported(words: Words, message: &Message) -> String {
     match words.language {
         Language::En => message.to_string(),
         Language::De => in_words(words, message),

@@ -101,7 +101,7 @@ impl Source {
         }
     }
 
-    /// What lies beside it in the folder and is not read.
+    /// What is beside it in the folder and is not read.
     pub(super) fn left_out(&self, names: &[String]) -> Option<Message> {
         let photo = |name: &str| is_photo(name) || is_raw(name);
         let video = matches!(self, Source::Video(..));

@@ -12,9 +12,9 @@ use std::ffi::OsString;
 pub(crate) fn arguments<A: Args>(words: Vec<OsString>) -> Result<A, Fault> {
     let command = Command::new("tailor").no_binary_name(true);
     let command = A::augment_args(command).disable_help_flag(true);
-    let said = command.try_get_matches_from(words);
-    let said = said.map_err(|why| Fault::input(why.to_string().trim_end()))?;
-    A::from_arg_matches(&said).map_err(Fault::input)
+    let stated = command.try_get_matches_from(words);
+    let stated = stated.map_err(|why| Fault::input(why.to_string().trim_end()))?;
+    A::from_arg_matches(&stated).map_err(Fault::input)
 }
 
 #[cfg(test)]

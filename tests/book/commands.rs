@@ -7,8 +7,8 @@ fn commands(text: &str, mark: &str) -> Vec<String> {
     let mut all = Vec::new();
     let mut inside = false;
     for line in text.lines() {
-        if let Some(said) = line.strip_prefix("```") {
-            inside = !inside && said.trim() == mark;
+        if let Some(printed) = line.strip_prefix("```") {
+            inside = !inside && printed.trim() == mark;
             continue;
         }
         let line = line.split(" # ").next().unwrap_or_default().trim();
@@ -71,8 +71,8 @@ fn commands_on_what_ships_run() {
         for line in commands(&read(&page), "sh run") {
             count += 1;
             let out = run(&line);
-            let said = String::from_utf8_lossy(&out.stderr);
-            assert!(out.status.success(), "{page}: {line}\n{said}");
+            let printed = String::from_utf8_lossy(&out.stderr);
+            assert!(out.status.success(), "{page}: {line}\n{printed}");
         }
     }
     assert!(count >= 4, "only {count} commands were found");

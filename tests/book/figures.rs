@@ -273,8 +273,8 @@ fn of_unknown_age(page: &str) -> Vec<String> {
         let cells: Vec<&str> = cells.map(str::trim).filter(|c| !c.is_empty()).collect();
         let figures = cells.iter().filter(|c| is_figure(c)).count();
         let mut below = lines[at..].iter().take(2);
-        let told = below.any(|l| l.starts_with("*Written by hand, 20"));
-        if figures > 0 && figures * 3 >= cells.len() && !told && !marked {
+        let reported = below.any(|l| l.starts_with("*Written by hand, 20"));
+        if figures > 0 && figures * 3 >= cells.len() && !reported && !marked {
             found.push(format!("{page}: {}", lines[begin]));
         }
         at = at.max(begin + 1);

@@ -99,8 +99,8 @@ fn limbs(score: &Value) -> String {
 
 /// What stands under a table: what of its data says how it came about.
 pub(crate) fn made_with(data: &Value, keys: &[&str]) -> String {
-    let said: Vec<&str> = keys.iter().map(|k| data[*k].as_str().unwrap()).collect();
-    format!("\n*{}.*\n", said.join(", "))
+    let printed: Vec<&str> = keys.iter().map(|k| data[*k].as_str().unwrap()).collect();
+    format!("\n*{}.*\n", printed.join(", "))
 }
 
 /// With a true minus sign.

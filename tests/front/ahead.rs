@@ -9,9 +9,9 @@ fn plan_and_why_take_pipeline_and_node_in_any_order() {
     let change = "--set solid.stature_mm=1500";
     for verb in ["plan", "why"] {
         let out = |words: &str| place.run(&format!("{verb} {words} {change}")).code(0).out;
-        let told = out("small.toml body");
-        assert!(told.contains("1750.0 -> 1500.0"), "{told}");
-        assert_eq!(out("body small.toml"), told);
+        let reported = out("small.toml body");
+        assert!(reported.contains("1750.0 -> 1500.0"), "{reported}");
+        assert_eq!(out("body small.toml"), reported);
         // Names of built-in pipelines are nodes as well.
         let both = place.run(&format!("{verb} hull body")).code(2).err;
         assert!(both.contains("input `photos`"), "{both}");
@@ -23,17 +23,17 @@ fn plan_and_why_take_pipeline_and_node_in_any_order() {
             .out
             .ends_with("all cached\n")
     );
-    let said = place.run("why small.toml").code(2).err;
-    assert!(said.contains("name one node of: "), "{said}");
-    let said = place.run("why small.toml nobody").code(2).err;
-    assert!(said.contains("no node `nobody`"), "{said}");
+    let printed = place.run("why small.toml").code(2).err;
+    assert!(printed.contains("name one node of: "), "{printed}");
+    let printed = place.run("why small.toml nobody").code(2).err;
+    assert!(printed.contains("no node `nobody`"), "{printed}");
     // Nodes alone are of the program's own pipeline.
     for words in ["why girths", "plan girths"] {
-        let said = place.run(words).code(2).err;
-        assert!(said.contains("input `photos`"), "{words}: {said}");
+        let printed = place.run(words).code(2).err;
+        assert!(printed.contains("input `photos`"), "{words}: {printed}");
     }
-    let said = place.run("plan smal").code(2).err;
-    assert!(said.contains("smal cannot be read"), "{said}");
+    let printed = place.run("plan smal").code(2).err;
+    assert!(printed.contains("smal cannot be read"), "{printed}");
 }
 
 #[test]
@@ -50,8 +50,8 @@ fn a_graph_of_what_measure_would_run_has_its_own_params() {
         walk.contains("walked") && !drawn.contains("walked"),
         "{walk}"
     );
-    let said = place.run("graph turn measure").code(2).err;
-    assert!(said.contains("write `measure` first"), "{said}");
+    let printed = place.run("graph turn measure").code(2).err;
+    assert!(printed.contains("write `measure` first"), "{printed}");
 }
 
 #[test]
@@ -62,26 +62,29 @@ fn why_is_told_against_the_run_of_another_machine() {
         .code(0);
     let asked = "why small.toml body --against theirs/run.json";
     // Nothing was made here: what is known already is told.
-    let told = place.run(asked).code(0).out;
+    let reported = place.run(asked).code(0).out;
     assert!(
-        told.contains("solid: differs") && told.contains("1500.0 -> 1750.0"),
-        "{told}"
+        reported.contains("solid: differs") && reported.contains("1500.0 -> 1750.0"),
+        "{reported}"
     );
     place.run("run small.toml").code(0);
-    let told = place.run(asked).code(0).out;
-    assert!(told.starts_with("body: differs\n  from solid: "), "{told}");
-    assert!(told.contains("1500.0 -> 1750.0"), "{told}");
+    let reported = place.run(asked).code(0).out;
+    assert!(
+        reported.starts_with("body: differs\n  from solid: "),
+        "{reported}"
+    );
+    assert!(reported.contains("1500.0 -> 1750.0"), "{reported}");
     let same = place
         .run(&format!("{asked} --set solid.stature_mm=1500"))
         .code(0)
         .out;
     assert_eq!(same, "body: alike\n");
     place.write("no.json", "{}");
-    let said = place
+    let printed = place
         .run("why small.toml body --against no.json")
         .code(2)
         .err;
-    assert!(said.contains("no record of a run"), "{said}");
+    assert!(printed.contains("no record of a run"), "{printed}");
 }
 
 #[test]
@@ -116,8 +119,8 @@ fn what_measure_would_do_is_told_by_its_own_words() {
         ("why girths measure turn", "write `measure` first"),
         ("plan --strands measure turn", "--strands cuts a pipeline"),
     ] {
-        let said = place.run(words).code(2).err;
-        assert!(said.contains(says), "{words}: {said}");
+        let printed = place.run(words).code(2).err;
+        assert!(printed.contains(says), "{words}: {printed}");
     }
     assert!(
         place

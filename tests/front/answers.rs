@@ -202,24 +202,32 @@ fn runs_are_recorded_with_provenance_and_an_event_log_and_pins_hold() {
 fn who_does_not_listen_does_no_harm_and_a_lost_answer_is_told() {
     let place = Place::new();
     place.run_into_full("2", "run small.toml").code(0);
-    let said = place.run_into_full("1", "plan small.toml").code(1);
-    assert!(said.err.contains("could not be written"), "{}", said.err);
+    let printed = place.run_into_full("1", "plan small.toml").code(1);
+    assert!(
+        printed.err.contains("could not be written"),
+        "{}",
+        printed.err
+    );
 }
 
 #[test]
 fn lines_are_plain_where_nobody_looks_and_quiet_is_quiet() {
     let place = Place::new();
-    let said = place.run("run small.toml").code(0);
-    assert_eq!(said.out, "");
-    assert!(!said.err.contains(['\r', '\u{1b}']), "{:?}", said.err);
+    let printed = place.run("run small.toml").code(0);
+    assert_eq!(printed.out, "");
+    assert!(!printed.err.contains(['\r', '\u{1b}']), "{:?}", printed.err);
     assert_eq!(
-        said.err.lines().filter(|l| l.contains("made in")).count(),
+        printed
+            .err
+            .lines()
+            .filter(|l| l.contains("made in"))
+            .count(),
         4
     );
-    let said = place
+    let printed = place
         .run("run small.toml --quiet --set body.cell_mm=30")
         .code(0);
-    assert_eq!((said.out, said.err), (String::new(), String::new()));
+    assert_eq!((printed.out, printed.err), (String::new(), String::new()));
 }
 
 #[test]
@@ -258,8 +266,8 @@ fn what_is_shown_is_of_the_folder_that_is_said() {
         let tags = std::fs::read(place.path("tags.json")).unwrap();
         let tags: Value = serde_json::from_slice(&tags).unwrap();
         assert_eq!(tags.as_array().unwrap().len(), count);
-        let said = format!("show tags --pipeline two.toml {of} -o -");
-        assert_eq!(place.run(&said).code(0).json(), tags, "standard output");
+        let printed = format!("show tags --pipeline two.toml {of} -o -");
+        assert_eq!(place.run(&printed).code(0).json(), tags, "standard output");
     }
     let several = place.run("show photos --pipeline two.toml -o -").code(2);
     assert!(several.err.contains("several files"), "{}", several.err);

@@ -13,7 +13,7 @@ fn all_mistakes_of_a_pipeline_come_at_once_each_with_its_place() {
         [node.ring]\nstage = \"synth.ring\"\ncolour = 1\n[node.sway]\nstage = \"synth.sway\"\nfrom = { cameras = \"rng\" }\n\
         [node.\"../up\"]\nstage = \"synth.ring\"\n";
     place.write("wrong.toml", wrong);
-    let said = place.run("check wrong.toml").code(2);
+    let printed = place.run("check wrong.toml").code(2);
     for (place, what) in [
         (
             "wrong.toml:1:17",
@@ -31,29 +31,29 @@ fn all_mistakes_of_a_pipeline_come_at_once_each_with_its_place() {
         ("wrong.toml:15:20", "did you mean `ring`?"),
         ("wrong.toml:16:7", "`../up` is no name"),
     ] {
-        assert!(said.err.contains(what), "{what}: {}", said.err);
-        assert!(said.err.contains(place), "{place}: {}", said.err);
+        assert!(printed.err.contains(what), "{what}: {}", printed.err);
+        assert!(printed.err.contains(place), "{place}: {}", printed.err);
     }
     let json = place.run("check wrong.toml --json").code(2).json();
     assert_eq!(json["code"], 2);
     let mistakes = json["mistakes"].as_array().unwrap();
     assert!(mistakes.len() >= 9 && mistakes.iter().all(|m| m["line"].is_u64()));
     place.write("torn.toml", &SMALL[..SMALL.len() / 2]);
-    let said = place.run("run torn.toml").code(2);
-    assert!(said.err.contains("torn.toml:"), "{}", said.err);
+    let printed = place.run("run torn.toml").code(2);
+    assert!(printed.err.contains("torn.toml:"), "{}", printed.err);
     for (text, says) in [
         (&b""[..], "name what is wanted"),
         (b"\xff\xfe", "cannot be read"),
     ] {
         place.write("odd.toml", text);
-        let said = place.run("check odd.toml").code(2);
-        assert!(said.err.contains(says), "{}", said.err);
+        let printed = place.run("check odd.toml").code(2);
+        assert!(printed.err.contains(says), "{}", printed.err);
     }
-    let said = place.run("run absent.toml").code(2);
+    let printed = place.run("run absent.toml").code(2);
     assert!(
-        said.err.contains("absent.toml cannot be read"),
+        printed.err.contains("absent.toml cannot be read"),
         "{}",
-        said.err
+        printed.err
     );
     assert!(
         !place.path("cache").exists(),
@@ -95,8 +95,8 @@ fn what_is_said_on_the_command_line_is_checked() {
         ),
         ("stages nobody", "nobody"),
     ] {
-        let said = place.run(args).code(2);
-        assert!(said.err.contains(says), "{args}: {}", said.err);
+        let printed = place.run(args).code(2);
+        assert!(printed.err.contains(says), "{args}: {}", printed.err);
     }
     assert!(!place.path("nowhere").exists());
 }
@@ -108,14 +108,14 @@ fn spoilt(spoil: impl Fn(&Place), code: i32) -> String {
     place.photos("turn", 4);
     spoil(&place);
     let command = "run load.toml --input files=turn";
-    let said = place.run(command).code(code);
+    let printed = place.run(command).code(code);
     place.sound();
     assert!(!place.has("photos", "done", "made"));
     // Failures are never kept: with the photo as it was, the same command makes it.
     let _ = std::fs::remove_file(place.path("turn/0002.jpg"));
     place.photos("turn", 4);
     place.run(command).code(0);
-    said.err
+    printed.err
 }
 
 #[test]
@@ -129,12 +129,12 @@ fn a_photo_of_no_byte_or_cut_off_or_of_another_kind_is_named() {
         |p| p.write("turn/0002.jpg", b"This is a letter, not a photo."),
     ];
     for spoil in names {
-        let said = spoilt(spoil, 1);
+        let printed = spoilt(spoil, 1);
         assert!(
-            said.contains("photos failed") && said.contains("0002.jpg"),
-            "{said}"
+            printed.contains("photos failed") && printed.contains("0002.jpg"),
+            "{printed}"
         );
-        assert!(said.contains("to repeat it: "), "{said}");
+        assert!(printed.contains("to repeat it: "), "{printed}");
     }
 }
 
@@ -145,12 +145,12 @@ fn photos_of_several_sizes_are_no_turn_but_may_be_a_walk() {
     let name = place.path("walk/0002.jpg");
     let upright = image::open(&name).unwrap();
     upright.rotate90().save(&name).unwrap();
-    let said = place.run("run body --input photos=walk photos").code(1);
+    let printed = place.run("run body --input photos=walk photos").code(1);
     for says in ["5 are 800×1200", "0002.jpg is 1200×800", "--walk"] {
-        assert!(said.err.contains(says), "{says}: {}", said.err);
+        assert!(printed.err.contains(says), "{says}: {}", printed.err);
     }
-    let said = place.run("run walk --input photos=walk photos").code(0);
-    assert!(!said.err.contains("warning"), "{}", said.err);
+    let printed = place.run("run walk --input photos=walk photos").code(0);
+    assert!(!printed.err.contains("warning"), "{}", printed.err);
 }
 
 #[test]
@@ -159,10 +159,10 @@ fn a_photo_that_cannot_be_read_is_named() {
         std::fs::remove_file(p.path("turn/0002.jpg")).unwrap();
         std::os::unix::fs::symlink("gone.jpg", p.path("turn/0002.jpg")).unwrap();
     };
-    let said = spoilt(dangling, 2);
+    let printed = spoilt(dangling, 2);
     assert!(
-        said.contains("input `files`") && said.contains("0002.jpg"),
-        "{said}"
+        printed.contains("input `files`") && printed.contains("0002.jpg"),
+        "{printed}"
     );
 }
 
@@ -170,18 +170,18 @@ fn a_photo_that_cannot_be_read_is_named() {
 fn a_full_disk_is_told_and_what_is_half_written_is_nowhere() {
     let place = Place::new();
     let command = "run small.toml --set body.cell_mm=12 --out out";
-    let said = place.run_limited(16, command).code(1);
+    let printed = place.run_limited(16, command).code(1);
     assert!(
-        said.err.contains("body failed") && said.err.contains("free space"),
+        printed.err.contains("body failed") && printed.err.contains("free space"),
         "{}",
-        said.err
+        printed.err
     );
     place.sound();
     assert!(!place.path("out").exists());
     // The cache has it, and the folder for the results takes no more.
     place.run("run small.toml --set body.cell_mm=12").code(0);
-    let said = place.run_limited(16, command).code(1);
-    assert!(said.err.contains("body.ply"), "{}", said.err);
+    let printed = place.run_limited(16, command).code(1);
+    assert!(printed.err.contains("body.ply"), "{}", printed.err);
     for left in std::fs::read_dir(place.path("out")).unwrap() {
         let name = left.unwrap().file_name().into_string().unwrap();
         assert!(
@@ -198,23 +198,23 @@ fn a_cache_that_cannot_be_made_or_is_of_another_layout_is_told() {
     let place = Place::new();
     place.write("a-file", b"not a folder");
     for cache in ["a-file", "a-file/below"] {
-        let said = place
+        let printed = place
             .run(&format!("run small.toml --cache {cache}"))
             .code(2);
         assert!(
-            said.err.contains("give another with --cache"),
+            printed.err.contains("give another with --cache"),
             "{}",
-            said.err
+            printed.err
         );
     }
     place.run("run small.toml").code(0);
     place.write("cache/format", "tailor store 99\n");
     for command in ["run small.toml", "plan small.toml", "cache gc --max-size 0"] {
-        let said = place.run(command).code(2);
+        let printed = place.run(command).code(2);
         assert!(
-            said.err.contains("another layout (tailor store 99)"),
+            printed.err.contains("another layout (tailor store 99)"),
             "{}",
-            said.err
+            printed.err
         );
     }
     place.write("cache/format", "tailor store 1\n");

@@ -27,8 +27,8 @@ fn all_causes_come_at_once_and_files_by_their_names() {
     place.run(&format!("run {of}")).code(0);
     std::fs::rename(place.path("turn/0003.jpg"), place.path("turn/0009.jpg")).unwrap();
     std::fs::copy(place.path("turn/0001.jpg"), place.path("turn/0002.jpg")).unwrap();
-    let told = causes(&place, &format!("tags {of}"));
-    let photos = &told.iter().find(|c| c.0 == "photos").unwrap().1;
+    let reported = causes(&place, &format!("tags {of}"));
+    let photos = &reported.iter().find(|c| c.0 == "photos").unwrap().1;
     assert!(photos[0].starts_with("from files: "), "{photos:?}");
     assert!(photos[1].starts_with("file 0002.jpg: "), "{photos:?}");
     assert_eq!(
@@ -37,13 +37,13 @@ fn all_causes_come_at_once_and_files_by_their_names() {
     );
     // Two params of two nodes.
     place.run("run small.toml").code(0);
-    let told = causes(
+    let reported = causes(
         &place,
         "body small.toml --set solid.stature_mm=1500 --set body.cell_mm=30",
     );
-    assert_eq!(told[0].0, "body");
+    assert_eq!(reported[0].0, "body");
     assert_eq!(
-        told[1],
+        reported[1],
         (
             "solid".into(),
             vec!["with stature_mm: 1750.0 -> 1500.0".into()]
@@ -67,8 +67,8 @@ fn the_last_run_is_the_last_of_the_same_and_what_counts_is_now() {
         causes(&place, as_it_is),
         [("body".to_owned(), nothing.clone())]
     );
-    let told = causes(&place, "body other.toml --set body.cell_mm=44");
-    assert_eq!(told[0].1, ["with cell_mm: 45.0 -> 44.0"]);
+    let reported = causes(&place, "body other.toml --set body.cell_mm=44");
+    assert_eq!(reported[0].1, ["with cell_mm: 45.0 -> 44.0"]);
     // What the last run made, it made for a reason, however many runs ago that was otherwise.
     place.run("run small.toml --set body.cell_mm=35").code(0);
     let set = "body small.toml --set body.cell_mm=35";
@@ -82,9 +82,9 @@ fn the_last_run_is_the_last_of_the_same_and_what_counts_is_now() {
         causes(&place, as_it_is)[0].1,
         ["with cell_mm: 35.0 -> 40.0"]
     );
-    let said = place
+    let printed = place
         .run("why body small.toml --set body.cell_mm=35")
         .code(0)
         .out;
-    assert_eq!(said, "body: cached, as in the last run\n");
+    assert_eq!(printed, "body: cached, as in the last run\n");
 }

@@ -1,6 +1,6 @@
 //! Programs where there is no bubblewrap, on Linux: kept by the kernel itself from what they are not given.
 
-use crate::place::{Place, Said};
+use crate::place::{Place, Printed};
 use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::os::unix::net::UnixListener;
@@ -28,21 +28,21 @@ fn node(line: &str, more: &str) -> String {
 }
 
 /// Runs a pipeline without bubblewrap; `None` where the kernel cannot keep programs either.
-fn run(place: &Place, before: &str, pipeline: &str) -> Option<Said> {
+fn run(place: &Place, before: &str, pipeline: &str) -> Option<Printed> {
     place.write("p.toml", pipeline);
     if !place.path("bare").exists() {
         bare(place);
     }
     let exe = env!("CARGO_BIN_EXE_tailor");
-    let said = place.bash(&format!(
+    let printed = place.bash(&format!(
         "{before} PATH=$PWD/bare exec {exe} run p.toml x --out out --allow-exec --threads 1"
     ));
-    if said.err.contains("(Landlock: ") || said.err.contains("(seccomp: ") {
-        proof::passed_over(said.err.lines().next().unwrap_or_default());
+    if printed.err.contains("(Landlock: ") || printed.err.contains("(seccomp: ") {
+        proof::passed_over(printed.err.lines().next().unwrap_or_default());
         return None;
     }
-    assert!(said.err.contains("Landlock keeps"), "{}", said.err);
-    Some(said)
+    assert!(printed.err.contains("Landlock keeps"), "{}", printed.err);
+    Some(printed)
 }
 
 /// What lines of a shell say, without bubblewrap.
@@ -59,10 +59,10 @@ fn without_bubblewrap_a_program_does_its_work() {
     let line = "cp -p /bin/sh $TMPDIR/a; mkdir $TMPDIR/b; mv $TMPDIR/a $TMPDIR/b; chmod 600 $TMPDIR/b/a; ls $TMPDIR/b; \
         python3 -c 'import subprocess, socket; print(subprocess.check_output([\"ls\", \"b\"])); socket.socketpair()'; \
         echo done > /dev/null; cat < /dev/null";
-    let Some(said) = says(&place, line, "") else {
+    let Some(printed) = says(&place, line, "") else {
         return;
     };
-    assert_eq!(said, "a\nb'a\\n'\n");
+    assert_eq!(printed, "a\nb'a\\n'\n");
 }
 
 #[test]
@@ -91,16 +91,16 @@ fn without_bubblewrap_a_program_changes_nothing_elsewhere() {
         "ln -s F/mine.txt $TMPDIR/link && echo no > $TMPDIR/link",
     ];
     let line = lines.map(|line| line.replace('F', &folder)).join("; ");
-    let Some(said) = says(&place, &line, "") else {
+    let Some(printed) = says(&place, &line, "") else {
         return;
     };
     let after = fs::metadata(&mine).unwrap();
     let of = |meta: &fs::Metadata| (meta.mode(), meta.uid(), meta.mtime(), meta.nlink());
-    assert_eq!(of(&before), of(&after), "{said}");
-    assert_eq!(fs::read_to_string(&mine).unwrap(), "mine", "{said}");
-    assert!(place.path("mine/inner.txt").exists(), "{said}");
+    assert_eq!(of(&before), of(&after), "{printed}");
+    assert_eq!(fs::read_to_string(&mine).unwrap(), "mine", "{printed}");
+    assert!(place.path("mine/inner.txt").exists(), "{printed}");
     for name in ["new.txt", "moved", "folder"] {
-        assert!(!place.path(name).exists(), "{name}: {said}");
+        assert!(!place.path(name).exists(), "{name}: {printed}");
     }
     assert!(!Path::new("/tmp/confined-was-here").exists());
     assert!(
@@ -115,10 +115,10 @@ fn without_bubblewrap_what_was_not_declared_cannot_be_read() {
     let place = Place::new();
     place.write("secret.txt", "hidden words");
     place.write("told/read.txt", "declared words");
-    let told = place.path("told").display().to_string();
+    let reported = place.path("told").display().to_string();
     let secret = place.path("secret.txt").display().to_string();
     let line = format!(
-        "cat {secret}; ls {}; cat /etc/passwd; ls /; cat {told}/read.txt; cat <&9",
+        "cat {secret}; ls {}; cat /etc/passwd; ls /; cat {reported}/read.txt; cat <&9",
         place.path(".").display()
     );
     // What the program itself was started with open is nobody's either.
@@ -127,17 +127,17 @@ fn without_bubblewrap_what_was_not_declared_cannot_be_read() {
     let Some(ran) = run(
         &place,
         before,
-        &node(&line, &format!("reads = [\"{told}\"]\n")),
+        &node(&line, &format!("reads = [\"{reported}\"]\n")),
     ) else {
         return;
     };
     ran.code(0);
-    let said = fs::read_to_string(place.path("out/x.txt")).unwrap();
-    assert!(said.contains("declared words"), "{said}");
+    let printed = fs::read_to_string(place.path("out/x.txt")).unwrap();
+    assert!(printed.contains("declared words"), "{printed}");
     for hidden in ["hidden words", "secret.txt\n", "root:", "home\n"] {
         assert!(
-            !said.replace(&format!("{secret}:"), "").contains(hidden),
-            "{hidden}: {said}"
+            !printed.replace(&format!("{secret}:"), "").contains(hidden),
+            "{hidden}: {printed}"
         );
     }
 }
@@ -187,16 +187,16 @@ fn without_bubblewrap_a_program_reaches_no_process_and_no_socket() {
         return;
     };
     let ran = ran.code(0);
-    let said = fs::read_to_string(place.path("out/x.txt")).unwrap();
-    assert!(said.ends_with("END\n"), "{said}");
+    let printed = fs::read_to_string(place.path("out/x.txt")).unwrap();
+    assert!(printed.ends_with("END\n"), "{printed}");
     // Kernels before 6.12 keep no signals back, and that is told.
     let signals = ran.err.contains("can send them signals");
-    let done: Vec<&str> = said
+    let done: Vec<&str> = printed
         .lines()
         .filter(|line| line.starts_with("DONE"))
         .collect();
     let may: &[&str] = if signals { &["DONE signal"] } else { &[] };
-    assert_eq!(done, may, "{said}");
+    assert_eq!(done, may, "{printed}");
 }
 
 #[test]
@@ -206,10 +206,10 @@ fn without_bubblewrap_a_full_sandbox_can_be_required() {
     bare(&place);
     let exe = env!("CARGO_BIN_EXE_tailor");
     let line = format!("PATH=$PWD/bare exec {exe} run p.toml --allow-exec --sandbox required");
-    let said = place.bash(&line).code(2).err;
+    let printed = place.bash(&line).code(2).err;
     assert!(
-        said.contains("not installed") && said.contains("--sandbox required"),
-        "{said}"
+        printed.contains("not installed") && printed.contains("--sandbox required"),
+        "{printed}"
     );
 }
 
@@ -256,8 +256,8 @@ fn without_bubblewrap_a_link_in_place_of_a_folder_empties_nothing() {
     let Some(ran) = run(&place, "", &text) else {
         return;
     };
-    let said = fs::read_to_string(place.path("out/x.txt")).unwrap();
-    assert!(said.contains("swapped"), "{said}{}", ran.err);
+    let printed = fs::read_to_string(place.path("out/x.txt")).unwrap();
+    assert!(printed.contains("swapped"), "{printed}{}", ran.err);
     let mine = fs::read_to_string(victim.join("inner/mine.txt"));
     assert_eq!(mine.unwrap(), "mine", "{}", ran.err);
     assert!(!victim.join("note.txt").exists());

@@ -12,18 +12,22 @@ fn turn() -> Place {
 #[test]
 fn what_is_odd_is_told_by_photo_and_what_can_be_measured() {
     let place = turn();
-    let told = place.run("doctor turn --json").code(0).json();
-    assert_eq!(told["photos"], 12);
-    assert_eq!(told["motion"], "turn");
-    assert_eq!(told["findings"][0]["grade"], "doubt", "{told}");
-    let warned = told["warnings"].to_string();
+    let reported = place.run("doctor turn --json").code(0).json();
+    assert_eq!(reported["photos"], 12);
+    assert_eq!(reported["motion"], "turn");
+    assert_eq!(reported["findings"][0]["grade"], "doubt", "{reported}");
+    let warned = reported["warnings"].to_string();
     assert!(
         warned.contains("numbers 0 to 11") && warned.contains("--mat-tag"),
         "{warned}"
     );
-    let lengths =
-        |told: &serde_json::Value| told["can"]["lengths"]["text"].as_str().unwrap().to_owned();
-    assert!(lengths(&told).starts_with("relative"), "{told}");
+    let lengths = |reported: &serde_json::Value| {
+        reported["can"]["lengths"]["text"]
+            .as_str()
+            .unwrap()
+            .to_owned()
+    };
+    assert!(lengths(&reported).starts_with("relative"), "{reported}");
     let known = place
         .run("doctor turn --json --mat-tag 60 --stature 81")
         .code(0)
@@ -62,16 +66,17 @@ fn what_is_odd_is_told_by_photo_and_what_can_be_measured() {
             .iter_mut()
             .for_each(|v| *v = v.map(|c| (u32::from(c) * 3 / 4) as u8));
     });
-    let told = place.run("doctor turn").code(0).out;
+    let reported = place.run("doctor turn").code(0).out;
     let line = |words: &str| {
-        told.lines()
+        reported
+            .lines()
             .find(|l| l.contains(words))
             .unwrap_or_default()
             .to_owned()
     };
-    assert!(line("blurred").contains("0003.jpg: "), "{told}");
-    assert!(line("exposed from").contains("0008.jpg: "), "{told}");
-    assert!(told.contains("what can be measured"), "{told}");
+    assert!(line("blurred").contains("0003.jpg: "), "{reported}");
+    assert!(line("exposed from").contains("0008.jpg: "), "{reported}");
+    assert!(reported.contains("what can be measured"), "{reported}");
 }
 
 #[test]
@@ -82,17 +87,17 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
         let photo = std::fs::read(sample.join(format!("{:04}.jpg", i * 7 % 18))).unwrap();
         place.write(&format!("turn/{i:04}.jpg"), photo);
     }
-    let told = place.run("doctor turn --json").code(1).json();
-    assert_eq!(told["findings"][0]["grade"], "stop", "{told}");
-    assert!(told["can"]["girths"]["text"] == "no", "{told}");
-    let said = place.run("measure turn").code(1).err;
+    let reported = place.run("doctor turn --json").code(1).json();
+    assert_eq!(reported["findings"][0]["grade"], "stop", "{reported}");
+    assert!(reported["can"]["girths"]["text"] == "no", "{reported}");
+    let printed = place.run("measure turn").code(1).err;
     for says in [
         "photos failed",
         "not in turning order",
         "any-order.toml",
         "photos.stop=false",
     ] {
-        assert!(said.contains(says), "{says}: {said}");
+        assert!(printed.contains(says), "{says}: {printed}");
     }
     assert!(!place.has("keypoints", "done", "made"));
 }
@@ -100,17 +105,17 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
 #[test]
 fn init_writes_what_photos_say_once_and_measure_reads_it() {
     let place = turn();
-    let said = place
+    let printed = place
         .run("init turn --stature 5ft10in --mat-tag 59.7 --sex female --born 2016-05-01 --date 2026-05-01")
         .code(0)
         .out;
     let text = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
-    assert!(said.contains(&text), "{said}");
+    assert!(printed.contains(&text), "{printed}");
     let file: toml::Table = text.parse().unwrap();
     assert_eq!(file["views"].as_integer(), Some(12));
     assert_eq!(file["subject"]["height_cm"].as_float(), Some(177.8));
-    let said = ["sex", "born"].map(|key| file["subject"][key].as_str().unwrap());
-    assert_eq!(said, ["female", "2016-05-01"]);
+    let printed = ["sex", "born"].map(|key| file["subject"][key].as_str().unwrap());
+    assert_eq!(printed, ["female", "2016-05-01"]);
     assert_eq!(file["date"].as_str(), Some("2026-05-01"));
     assert_eq!(file["mat"]["tag_size_mm"].as_float(), Some(59.7));
     for says in [
@@ -121,16 +126,16 @@ fn init_writes_what_photos_say_once_and_measure_reads_it() {
     ] {
         assert!(text.contains(says), "{says}: {text}");
     }
-    let told = place.run("doctor turn --json").code(0).json();
+    let reported = place.run("doctor turn --json").code(0).json();
     assert_eq!(
-        told["warnings"].as_array().unwrap().len(),
+        reported["warnings"].as_array().unwrap().len(),
         0,
-        "every key is known: {told}"
+        "every key is known: {reported}"
     );
     // What somebody wrote is never touched.
     place.write("turn/capture.toml", "name = \"mine\"\n");
-    let said = place.run("init turn").code(2).err;
-    assert!(said.contains("is there already"), "{said}");
+    let printed = place.run("init turn").code(2).err;
+    assert!(printed.contains("is there already"), "{printed}");
     let kept = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
     assert_eq!(kept, "name = \"mine\"\n");
 }
@@ -143,20 +148,20 @@ fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
     let plate = std::fs::read(sample.join("plate.jpg")).unwrap();
     for (at, name) in ["0018.jpg", "0007-again.jpg"].iter().enumerate() {
         place.write(&format!("turn/{name}"), &plate);
-        let said = place.run("doctor turn").code(1).out;
-        let line = said
+        let printed = place.run("doctor turn").code(1).out;
+        let line = printed
             .lines()
             .find(|l| l.contains("stop"))
             .unwrap_or_default();
         for says in [*name, "empty scene", &format!("plate = \"{name}\"")] {
-            assert!(line.contains(says), "{says}: {said}");
+            assert!(line.contains(says), "{says}: {printed}");
         }
-        let said = place.run("measure turn --mat-tag 60").code(1).err;
+        let printed = place.run("measure turn --mat-tag 60").code(1).err;
         assert!(
-            said.contains("photos failed") && said.contains(name),
-            "{said}"
+            printed.contains("photos failed") && printed.contains(name),
+            "{printed}"
         );
-        assert!(!said.contains("two legs"), "{said}");
+        assert!(!printed.contains("two legs"), "{printed}");
         // As it says, it is the plate from there on.
         if at == 0 {
             let seen = place
@@ -180,14 +185,14 @@ fn copies_are_named_where_too_few_photos_are_left() {
     for i in 1..5 {
         place.write(&format!("turn/000{i}.jpg"), &photo);
     }
-    let said = place.run("doctor turn").code(1).err;
+    let printed = place.run("doctor turn").code(1).err;
     for says in [
         "1 of 5 photos",
         "0001.jpg = 0000.jpg",
         "0004.jpg = 0000.jpg",
         "at least 3",
     ] {
-        assert!(said.contains(says), "{says}: {said}");
+        assert!(printed.contains(says), "{says}: {printed}");
     }
     place.photos("turn", 4);
     let seen = place.run("doctor turn").code(0).out;
@@ -196,8 +201,8 @@ fn copies_are_named_where_too_few_photos_are_left() {
         "{seen}"
     );
     place.write("turn/capture.toml", "views = 5\n");
-    let said = place.run("doctor turn").code(1).err;
-    assert!(said.contains("0004.jpg = 0000.jpg"), "{said}");
+    let printed = place.run("doctor turn").code(1).err;
+    assert!(printed.contains("0004.jpg = 0000.jpg"), "{printed}");
 }
 
 #[test]
@@ -225,8 +230,8 @@ fn a_mat_that_is_too_small_in_the_picture_is_named_and_one_of_a_megapixel_is_rea
         }
     }
     let warned = |folder: &str| {
-        let said = place.run(&format!("doctor {folder}")).out;
-        let line = said.lines().find(|l| l.contains("of the mat's 16 tags"));
+        let printed = place.run(&format!("doctor {folder}")).out;
+        let line = printed.lines().find(|l| l.contains("of the mat's 16 tags"));
         line.map(str::to_owned)
     };
     assert_eq!(warned("turn"), None);

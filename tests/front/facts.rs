@@ -23,20 +23,20 @@ fn facts_are_in_the_key_and_in_the_provenance_and_win_over_the_file() {
         ));
         run.code(0).json()["nodes"][0].clone()
     };
-    let (plain, said) = (run(""), run("--set photos.facts.subject.height_cm=178"));
-    assert_ne!(plain["key"], said["key"]);
-    assert_ne!(plain["content"], said["content"]);
+    let (plain, printed) = (run(""), run("--set photos.facts.subject.height_cm=178"));
+    assert_ne!(plain["key"], printed["key"]);
+    assert_ne!(plain["content"], printed["content"]);
     assert!(
-        said["provenance"].to_string().contains("height_cm"),
-        "{said}"
+        printed["provenance"].to_string().contains("height_cm"),
+        "{printed}"
     );
-    let told = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
-    assert!(told.contains("subject.height_cm = 178.0"), "{told}");
+    let reported = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
+    assert!(reported.contains("subject.height_cm = 178.0"), "{reported}");
     // The same content from the file instead is another key, with equal results.
     place.write("turn/capture.toml", "[subject]\nheight_cm = 178\n");
     let file = run("");
-    assert_ne!(file["key"], said["key"]);
-    assert_eq!(file["content"], said["content"]);
+    assert_ne!(file["key"], printed["key"]);
+    assert_eq!(file["content"], printed["content"]);
 }
 
 #[test]
@@ -55,8 +55,8 @@ fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
         ("--images ../other/*.jpg", "leads out of turn"),
         ("--unit ell", "ell"),
     ] {
-        let said = place.run(&format!("measure turn {flags}")).code(2);
-        assert!(said.err.contains(says), "{flags}: {}", said.err);
+        let printed = place.run(&format!("measure turn {flags}")).code(2);
+        assert!(printed.err.contains(says), "{flags}: {}", printed.err);
     }
     assert!(!place.path("cache").exists());
 }
@@ -79,16 +79,16 @@ fn what_images_says_is_taken_and_what_is_not_there_is_told() {
     assert!(place.path("out/photos/images/0001.jpg").exists());
     assert!(!place.path("out/photos/images/0004.jpg").exists());
     place.write("turn/capture.toml", "images = \"IMG*.jpg\"\n");
-    let said = place.run(run).code(1).err;
+    let printed = place.run(run).code(1).err;
     assert!(
-        said.contains("IMG*.jpg") && said.contains("0000.jpg"),
-        "{said}"
+        printed.contains("IMG*.jpg") && printed.contains("0000.jpg"),
+        "{printed}"
     );
     place.write("turn/capture.toml", "images = 3\n");
-    let said = place.run(run).code(1).err;
+    let printed = place.run(run).code(1).err;
     assert!(
-        said.contains("`images` wants a text or a list of texts"),
-        "{said}"
+        printed.contains("`images` wants a text or a list of texts"),
+        "{printed}"
     );
 }
 
@@ -100,16 +100,16 @@ fn a_copy_is_left_out_and_sizes_that_differ_are_told_with_what_to_do() {
         std::fs::read(place.path("turn/0002.jpg")).unwrap(),
     );
     let run = "run load.toml --input files=turn";
-    let said = place.run(run).code(0).err;
+    let printed = place.run(run).code(0).err;
     assert!(
-        said.contains("is the same file as") && said.contains("was left out"),
-        "{said}"
+        printed.contains("is the same file as") && printed.contains("was left out"),
+        "{printed}"
     );
     let selfie = shape::Rgb::filled(30, 40, [9, 99, 200]);
     place.write("turn/selfie.png", shape::rgb_to_png(&selfie));
-    let said = place.run(run).code(1).err;
+    let printed = place.run(run).code(1).err;
     for says in ["6 are 800×1200", "selfie.png is 30×40", "--images"] {
-        assert!(said.contains(says), "{says}: {said}");
+        assert!(printed.contains(says), "{says}: {printed}");
     }
 }
 
@@ -117,20 +117,20 @@ fn a_copy_is_left_out_and_sizes_that_differ_are_told_with_what_to_do() {
 fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
     let place = turn();
     place.write("a/IMG_1.HEIC", "x");
-    let said = place.run("measure a").code(2).err;
-    assert!(said.contains("heif-convert"), "{said}");
+    let printed = place.run("measure a").code(2).err;
+    assert!(printed.contains("heif-convert"), "{printed}");
     // Videos and raw photos go to programs, which say that these are none.
     for (file, name) in [("b/walk.MOV", "walk.MOV"), ("c/b.DNG", "b.DNG")] {
         place.write(file, "x");
-        let said = place.run(&format!("measure {}", &file[..1])).code(1).err;
-        assert!(said.contains(name), "{file}: {said}");
+        let printed = place.run(&format!("measure {}", &file[..1])).code(1).err;
+        assert!(printed.contains(name), "{file}: {printed}");
     }
-    let said = place.run("measure nowhere").code(2).err;
-    assert!(said.contains("nowhere"), "{said}");
+    let printed = place.run("measure nowhere").code(2).err;
+    assert!(printed.contains("nowhere"), "{printed}");
     place.photos("few", 3);
-    let said = place.run("measure few").code(2).err;
+    let printed = place.run("measure few").code(2).err;
     for says in ["few has 3 photos", "18 to 36", "tailor mat", "--step"] {
-        assert!(said.contains(says), "{says}: {said}");
+        assert!(printed.contains(says), "{says}: {printed}");
     }
 }
 
@@ -138,12 +138,12 @@ fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
 fn several_folders_are_measured_each_on_its_own() {
     let place = turn();
     place.write("a/walk.HEIC", "x");
-    let said = place.run("measure a nowhere").code(1).err;
+    let printed = place.run("measure a nowhere").code(1).err;
     for says in ["a holds no photo", "nowhere", "2 of 2 captures"] {
-        assert!(said.contains(says), "{says}: {said}");
+        assert!(printed.contains(says), "{says}: {printed}");
     }
-    let told = place.run("measure a nowhere --json").code(1).json();
-    let folders: Vec<_> = told
+    let reported = place.run("measure a nowhere --json").code(1).json();
+    let folders: Vec<_> = reported
         .as_array()
         .unwrap()
         .iter()
@@ -151,13 +151,19 @@ fn several_folders_are_measured_each_on_its_own() {
         .collect();
     assert_eq!(folders, ["a", "nowhere"]);
     assert!(
-        told[0]["error"].as_str().unwrap().contains("heif-convert"),
-        "{told}"
+        reported[0]["error"]
+            .as_str()
+            .unwrap()
+            .contains("heif-convert"),
+        "{reported}"
     );
     // Each is a row with its reason, on the screen and in files.
     assert!(
-        told[1]["row"]["why"].as_str().unwrap().contains("nowhere"),
-        "{told}"
+        reported[1]["row"]["why"]
+            .as_str()
+            .unwrap()
+            .contains("nowhere"),
+        "{reported}"
     );
     let ran = place.run("measure a nowhere --out all").code(1);
     assert!(
@@ -188,8 +194,8 @@ fn several_folders_are_measured_each_on_its_own() {
     // Two of one name would overwrite each other.
     place.photos("p1/scan", 3);
     place.photos("p2/scan", 3);
-    let said = place.run("measure p1/scan p2/scan").code(2).err;
-    assert!(said.contains("would both be written to"), "{said}");
+    let printed = place.run("measure p1/scan p2/scan").code(2).err;
+    assert!(printed.contains("would both be written to"), "{printed}");
 }
 
 #[test]
@@ -240,8 +246,11 @@ fn of_more_photos_than_are_of_use_the_sharpest_of_even_stretches_are_taken() {
     let place = turn();
     place.write("turn/capture.toml", "step_deg = 20.0\n");
     let run = "run load.toml --input files=turn --set photos.most=3 --out out";
-    let said = place.run(run).code(0).err;
-    assert!(said.contains("6 photos are more than are of use"), "{said}");
+    let printed = place.run(run).code(0).err;
+    assert!(
+        printed.contains("6 photos are more than are of use"),
+        "{printed}"
+    );
     let taken = std::fs::read_dir(place.path("out/photos/images")).unwrap();
     let mut names: Vec<String> = taken
         .map(|e| e.unwrap().file_name().into_string().unwrap())
@@ -255,6 +264,6 @@ fn of_more_photos_than_are_of_use_the_sharpest_of_even_stretches_are_taken() {
         assert!(pair.iter().any(|p| name.starts_with(p)), "{names:?}");
     }
     // Steps between them are no longer even, so none is told.
-    let told = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
-    assert!(!told.contains("step_deg"), "{told}");
+    let reported = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
+    assert!(!reported.contains("step_deg"), "{reported}");
 }

@@ -76,10 +76,10 @@ fn records(place: &Place) -> Vec<String> {
 #[test]
 fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
     let (place, anew) = (begun(), anew());
-    let said = place.run(&format!("measure turn --out out {anew}"));
-    let said = said.code(0);
+    let printed = place.run(&format!("measure turn --out out {anew}"));
+    let printed = printed.code(0);
     let first = "first answer from the coarse surface: ";
-    assert!(said.err.contains(first), "{}", said.err);
+    assert!(printed.err.contains(first), "{}", printed.err);
     let one = records(&place);
     assert!(one.len() == 2 && one[1].ends_with(".jsonl"), "{one:?}");
     let runs = place.run("cache runs --json").code(0).json();
@@ -143,10 +143,10 @@ fn a_first_answer_whose_whole_is_stopped_says_so() {
     // The whole must still be under way when its first answer is there.
     let long = anew().replace("body.rounds=1", "body.rounds=60");
     let mut child = place.start(&format!("measure turn --out out {long}"));
-    let mut said = BufReader::new(child.stderr.take().unwrap())
+    let mut printed = BufReader::new(child.stderr.take().unwrap())
         .lines()
         .map(Result::unwrap);
-    let mut before = said
+    let mut before = printed
         .by_ref()
         .take_while(|l| !l.starts_with("first report:"));
     assert!(
@@ -157,7 +157,7 @@ fn a_first_answer_whose_whole_is_stopped_says_so() {
     let page = || std::fs::read_to_string(place.path("out/report.html")).unwrap();
     assert!(page().contains("the full one follows"));
     signal(&child, "INT");
-    let left: Vec<String> = said.collect();
+    let left: Vec<String> = printed.collect();
     assert_eq!(child.wait().unwrap().code(), Some(130), "{left:?}");
     assert!(page().contains("the full one failed or was stopped"));
     assert!(!place.path("out/girths.csv").exists());

@@ -30,8 +30,11 @@ fn frames_of_a_video_are_taken_by_ffmpeg_at_even_times() {
     let frames = std::fs::read_dir(place.path("shown/images")).unwrap();
     assert_eq!(frames.count(), 3);
     let more = run(7).code(1);
-    let told = more.out + &more.err;
-    assert!(told.contains("has 6 frames, fewer than 7"), "{told}");
+    let reported = more.out + &more.err;
+    assert!(
+        reported.contains("has 6 frames, fewer than 7"),
+        "{reported}"
+    );
 }
 
 #[test]
@@ -67,13 +70,13 @@ fn tags_and_tracks_of_a_program_are_taken_and_what_cannot_be_is_told() {
             "p.toml",
             node(kind, &text.replace("\"photo\":", "\"photo\":1")),
         );
-        let told = place
+        let reported = place
             .run("run p.toml --input photos=shots --allow-exec")
             .code(1);
         assert!(
-            told.err.contains("is not JSON") || told.err.contains("is wanted"),
+            reported.err.contains("is not JSON") || reported.err.contains("is wanted"),
             "{}",
-            told.err
+            reported.err
         );
     }
 }
@@ -94,12 +97,15 @@ fn a_cache_that_came_with_a_pipeline_permits_nothing() {
         theirs.path("").display()
     );
     ours.bash(&copy).code(0);
-    let told = ours.run("run p.toml").code(2).err;
+    let reported = ours.run("run p.toml").code(2).err;
     assert!(
-        told.contains("that you have not allowed") && told.contains("--allow-exec"),
-        "{told}"
+        reported.contains("that you have not allowed") && reported.contains("--allow-exec"),
+        "{reported}"
     );
-    assert!(told.contains("cache/allowed is no longer read"), "{told}");
+    assert!(
+        reported.contains("cache/allowed is no longer read"),
+        "{reported}"
+    );
     ours.run("run p.toml --allow-exec").code(0);
     ours.run("run p.toml").code(0);
 }
@@ -114,10 +120,10 @@ fn no_program_runs_without_a_sandbox_where_one_is_required() {
             "PATH=/no/such/folder exec {exe} run p.toml --allow-exec {words}"
         ))
     };
-    let told = run("--sandbox required").code(2).err;
+    let reported = run("--sandbox required").code(2).err;
     assert!(
-        told.contains("`bwrap`) is not installed") && told.contains("--sandbox required"),
-        "{told}"
+        reported.contains("`bwrap`) is not installed") && reported.contains("--sandbox required"),
+        "{reported}"
     );
     assert!(
         !place.path("cache/exec").exists()

@@ -106,9 +106,9 @@ fn landmarks_and_girths_of_a_program_are_taken_and_what_cannot_be_is_told() {
     }
     for (kind, text, why) in &bad {
         write(kind, text);
-        let told = place
+        let reported = place
             .run("run p.toml --input surface=body --allow-exec")
             .code(1);
-        assert!(told.err.contains(why), "{why}: {}", told.err);
+        assert!(reported.err.contains(why), "{why}: {}", reported.err);
     }
 }

@@ -48,8 +48,8 @@ fn a_broken_record_hides_nothing_from_forgetting() {
         fs::write(record, bytes).unwrap();
     }
     assert_eq!(records.len(), 1);
-    let said = place.run("cache forget anna").code(1);
-    assert!(said.err.contains("could not be read"), "{}", said.err);
+    let printed = place.run("cache forget anna").code(1);
+    assert!(printed.err.contains("could not be read"), "{}", printed.err);
     gone(&place, &inner);
     assert_eq!(
         files_with(&place, "cache/ac", "pose.tags"),
@@ -83,8 +83,8 @@ fn records_of_a_newer_program_are_named_and_forgetting_is_no_success() {
     let hash = blake3::hash(body.as_bytes()).to_hex();
     fs::write(&record, format!("{hash}\n{body}")).unwrap();
     let key = record.file_name().unwrap().to_str().unwrap()[..12].to_owned();
-    let said = place.run("cache forget anna").code(1);
-    let text = format!("{}{}", said.out, said.err);
+    let printed = place.run("cache forget anna").code(1);
+    let text = format!("{}{}", printed.out, printed.err);
     assert!(text.contains(&key) && text.contains("newer"), "{text}");
     assert!(!holds(&place, &inner), "what it names goes all the same");
     // Once more, now by a program that reads it: here the record is taken away.
@@ -110,8 +110,12 @@ fn folders_of_killed_runs_go_though_their_number_is_used_again() {
     // Of a program of before, which locked none: whose it is nobody can tell.
     place.write(&format!("cache/exec/{id}-0-1b/in/0000.jpg"), &inner);
     place.run("run turn.toml --input photos=anna").code(0);
-    let said = place.run("cache forget anna").code(1);
-    assert!(said.err.contains(&format!("{id}-0-1b")), "{}", said.err);
+    let printed = place.run("cache forget anna").code(1);
+    assert!(
+        printed.err.contains(&format!("{id}-0-1b")),
+        "{}",
+        printed.err
+    );
 }
 
 #[test]
@@ -123,8 +127,8 @@ fn a_capture_that_was_moved_is_found_by_its_photos() {
     place.write("elsewhere/notes.txt", "a note");
     place.run("cache forget elsewhere").code(0);
     gone(&place, &inner);
-    let said = place.run("cache forget elsewhere").code(1);
-    assert!(said.err.contains("nothing"), "{}", said.err);
+    let printed = place.run("cache forget elsewhere").code(1);
+    assert!(printed.err.contains("nothing"), "{}", printed.err);
 }
 
 #[test]

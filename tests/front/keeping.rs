@@ -24,10 +24,10 @@ fn a_folder_that_is_somebody_elses_is_not_made_a_store() {
     place.write("q/letter.txt", "x");
     place.write("r/cas", "a file of that name");
     for (folder, strange) in [("p", "notes.md"), ("q", "letter.txt"), ("r", "r/cas")] {
-        let said = place.run(&format!("run small.toml --cache {folder}"));
-        let said = said.code(2);
-        assert!(said.err.contains("is no cache"), "{}", said.err);
-        assert!(said.err.contains(strange), "{}", said.err);
+        let printed = place.run(&format!("run small.toml --cache {folder}"));
+        let printed = printed.code(2);
+        assert!(printed.err.contains("is no cache"), "{}", printed.err);
+        assert!(printed.err.contains(strange), "{}", printed.err);
         assert!(!place.path(folder).join("format").exists());
     }
     assert_eq!(
@@ -102,8 +102,8 @@ fn nothing_is_removed_through_a_link() {
             .for_each(|name| place.write(&format!("victim/{name}"), "x"));
         let _ = fs::remove_dir_all(place.path("cache").join(folder));
         symlink("../victim", place.path("cache").join(folder)).unwrap();
-        let said = place.run(GC).code(2);
-        assert!(said.err.contains("is a link"), "{}", said.err);
+        let printed = place.run(GC).code(2);
+        assert!(printed.err.contains("is a link"), "{}", printed.err);
         for name in &victim {
             assert!(place.path("victim").join(name).exists(), "{folder}: {name}");
         }

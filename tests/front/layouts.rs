@@ -72,22 +72,22 @@ fn init_doctor_and_measure_read_every_layout_of_the_docs() {
         for (way, words) in words.iter().enumerate() {
             let folder = format!("turn-{at}-{way}");
             let plates = lay_out(&place, &folder, patterns);
-            let told = format!("{patterns:?} {words}");
+            let reported = format!("{patterns:?} {words}");
             // What was said of the folder is in the file from here on.
             place.run(&format!("init {folder} {words}")).code(0);
             let file = std::fs::read_to_string(place.path(&folder).join("capture.toml")).unwrap();
-            let told = format!("{told}\n{file}");
+            let reported = format!("{reported}\n{file}");
             let seen = place.run(&format!("doctor {folder} --json"));
             let found = || seen.out.clone() + &seen.err;
-            assert!(!found().contains("photos failed"), "{told}{}", found());
+            assert!(!found().contains("photos failed"), "{reported}{}", found());
             let seen = seen.json();
-            assert_eq!(seen["photos"], COUNT, "{told}{seen}");
-            assert_eq!(seen["plate"].is_string(), plates == 1, "{told}{seen}");
+            assert_eq!(seen["photos"], COUNT, "{reported}{seen}");
+            assert_eq!(seen["plate"].is_string(), plates == 1, "{reported}{seen}");
             // Photos so small have no cameras; that they were read is what matters here.
             // So few are taken where their step is given.
             let run = "--fast --step 20 --set photos.stop=false";
             let run = place.run(&format!("measure {folder} {run}"));
-            assert!(!run.err.contains("photos failed"), "{told}{}", run.err);
+            assert!(!run.err.contains("photos failed"), "{reported}{}", run.err);
         }
     }
     // None of them failed before its photos were read.
@@ -108,9 +108,9 @@ fn a_plate_that_is_not_there_is_refused_with_those_that_are() {
         &["DIR/images/*.jpg", "DIR/images/plate.jpg"].map(str::to_owned),
     );
     for named in ["plate.png", "room/plate.jpg", "palte.jpg"] {
-        let said = place.run(&format!("doctor turn --plate {named}")).code(1);
+        let printed = place.run(&format!("doctor turn --plate {named}")).code(1);
         for says in [named, "images/plate.jpg"] {
-            assert!(said.err.contains(says), "{says}: {}", said.err);
+            assert!(printed.err.contains(says), "{says}: {}", printed.err);
         }
     }
 }

@@ -35,8 +35,8 @@ fn a_run_with_a_budget_sweeps_at_its_end_and_keeps_its_own() {
     // What fits is not swept.
     place.run(&format!("{own} --max-size 1G")).code(0);
     assert!(size(&place) > before);
-    let said = place.run(&format!("{own} --max-size {most}")).code(0);
-    assert!(said.err.contains("over its size: "), "{}", said.err);
+    let printed = place.run(&format!("{own} --max-size {most}")).code(0);
+    assert!(printed.err.contains("over its size: "), "{}", printed.err);
     assert!(size(&place) <= most, "{} of {most}", size(&place));
     let run = place.run(&format!("{own} --json")).code(0).json();
     for node in run["nodes"].as_array().unwrap() {
@@ -107,9 +107,9 @@ fn a_check_of_a_hundred_thousand_mistakes_takes_no_longer_for_each() {
             format!("goal = \"ring\"\n[params]\n{params}[node.ring]\nstage = \"synth.ring\"\n");
         place.write("many.toml", text);
         let begun = std::time::Instant::now();
-        let said = place.run("check many.toml").code(2).err;
+        let printed = place.run("check many.toml").code(2).err;
         assert!(
-            said.contains(&format!(" --> many.toml:{}:1\n", count + 2)),
+            printed.contains(&format!(" --> many.toml:{}:1\n", count + 2)),
             "the last one"
         );
         begun.elapsed()

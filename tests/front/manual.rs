@@ -37,12 +37,12 @@ fn the_help_of_a_verb_has_what_it_uses_in_plain_letters() {
     let verbs: Vec<&str> = verbs.filter_map(|l| l.split_whitespace().next()).collect();
     assert!(verbs.len() > 15, "{all}");
     for verb in verbs.iter().filter(|v| **v != "help") {
-        let told = help(verb);
-        assert!(!told.contains("\\["), "{told}");
+        let reported = help(verb);
+        assert!(!reported.contains("\\["), "{reported}");
         if !cfg!(feature = "remote") {
             assert!(
-                !told.contains("--store <") && !told.contains("--trust"),
-                "{told}"
+                !reported.contains("--store <") && !reported.contains("--trust"),
+                "{reported}"
             );
         }
     }

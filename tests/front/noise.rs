@@ -31,12 +31,12 @@ fn put_all(place: &Place, levels: f64) {
 
 /// What doctor finds of the noise: levels, against what, and the warning.
 fn found(place: &Place) -> (f64, String, Option<String>) {
-    let told = place.run("doctor turn --json").code(0).json();
-    let findings = told["findings"].as_array().unwrap().iter();
+    let reported = place.run("doctor turn --json").code(0).json();
+    let findings = reported["findings"].as_array().unwrap().iter();
     let words = findings.filter_map(|f| f["what"]["text"].as_str());
     let warned = words.map(str::to_owned).find(|w| w.contains("noise"));
-    let against = told["noise_against"].as_str().map(str::to_owned);
-    let levels = told["noise_levels"].as_f64();
+    let against = reported["noise_against"].as_str().map(str::to_owned);
+    let levels = reported["noise_levels"].as_f64();
     (levels.unwrap(), against.unwrap(), warned)
 }
 
@@ -45,9 +45,9 @@ fn doctor_measures_noise_with_and_without_a_plate_and_warns_of_much() {
     let place = Place::sharing();
     put_all(&place, 0.0);
     let line = |place: &Place| {
-        let told = place.run("doctor turn").code(0).out;
-        let line = told.lines().find(|l| l.starts_with("noise: "));
-        line.map(str::to_owned).unwrap_or(told)
+        let reported = place.run("doctor turn").code(0).out;
+        let line = reported.lines().find(|l| l.starts_with("noise: "));
+        line.map(str::to_owned).unwrap_or(reported)
     };
     let (clean, against, warned) = found(&place);
     assert!(clean < 2.0 && against == "neighbours", "{clean} {against}");

@@ -37,8 +37,8 @@ fn what_did_not_change_keeps_its_time_and_what_is_left_is_told() {
     // A process that was killed left this.
     place.write("out/.writing-4000000-0-1f", "half");
     place.write("out/.writing-notes", "a user's own");
-    let said = place.run(command).code(0);
-    assert!(!said.err.contains("left from"), "{}", said.err);
+    let printed = place.run(command).code(0);
+    assert!(!printed.err.contains("left from"), "{}", printed.err);
     let time = |path| fs::metadata(path).unwrap().modified().unwrap();
     assert_eq!(time(&body), past);
     assert!(!place.path("out/.writing-4000000-0-1f").exists());
@@ -48,26 +48,26 @@ fn what_did_not_change_keeps_its_time_and_what_is_left_is_told() {
     assert_ne!(time(&body), past);
     // One node less: what it wrote is told, and goes if that is said.
     let less = "run small.toml sway --out out";
-    let said = place.run(less).code(0);
+    let printed = place.run(less).code(0);
     assert!(
-        said.err.contains("--clean removes it): body.ply"),
+        printed.err.contains("--clean removes it): body.ply"),
         "{}",
-        said.err
+        printed.err
     );
     assert!(body.exists());
-    let said = place.run(&format!("{less} --clean")).code(0);
+    let printed = place.run(&format!("{less} --clean")).code(0);
     assert!(
-        said.err.contains("removed, of an earlier run: body.ply"),
+        printed.err.contains("removed, of an earlier run: body.ply"),
         "{}",
-        said.err
+        printed.err
     );
     let there = [".writing-notes", "mine.txt", "run.json", "sway.artifact"];
     assert_eq!(names(place.path("out")), there);
     // What somebody has changed since is not removed.
     place.run("run small.toml --out out").code(0);
     fs::write(&body, "mine now").unwrap();
-    let said = place.run(&format!("{less} --clean")).code(0);
-    assert!(said.err.contains("changed since"), "{}", said.err);
+    let printed = place.run(&format!("{less} --clean")).code(0);
+    assert!(printed.err.contains("changed since"), "{}", printed.err);
     assert_eq!(fs::read(&body).unwrap(), b"mine now");
     place.run("run small.toml --clean").code(2);
 }
@@ -83,9 +83,13 @@ fn nothing_is_written_through_a_link() {
     symlink("../victim", place.path("out/photos")).unwrap();
     place.run("run small.toml --out out").code(0);
     assert!(!place.path("out/body.ply").is_symlink());
-    let said = place.run("run turn.toml --input photos=turn --out out");
-    let said = said.code(1);
-    assert!(said.err.contains("out/photos is a link"), "{}", said.err);
+    let printed = place.run("run turn.toml --input photos=turn --out out");
+    let printed = printed.code(1);
+    assert!(
+        printed.err.contains("out/photos is a link"),
+        "{}",
+        printed.err
+    );
     assert_eq!(names(place.path("victim")), ["body.ply"]);
     assert_eq!(
         fs::read(place.path("victim/body.ply")).unwrap(),
@@ -134,8 +138,8 @@ fn a_wrong_folder_for_results_is_told_before_anything_runs() {
         ("measure turn --out turn/masks", "read as input"),
         ("measure turn --out turn/any/where", "read as input"),
     ] {
-        let said = place.run(args).code(2);
-        assert!(said.err.contains(says), "{args}: {}", said.err);
+        let printed = place.run(args).code(2);
+        assert!(printed.err.contains(says), "{args}: {}", printed.err);
         assert!(!place.path("cache").exists(), "{args}");
     }
     place
@@ -156,26 +160,27 @@ fn the_results_of_two_captures_do_not_get_into_one_folder_unasked() {
         .run("run turn.toml --input photos=p1/scan --out scan-out")
         .code(0);
     let before = fs::read(place.path("scan-out/run.json")).unwrap();
-    let said = place.run("measure p2/scan").code(2);
+    let printed = place.run("measure p2/scan").code(2);
     assert!(
-        said.err
+        printed
+            .err
             .contains("something else than the results of p2/scan"),
         "{}",
-        said.err
+        printed.err
     );
-    assert!(said.err.contains("--out"), "{}", said.err);
+    assert!(printed.err.contains("--out"), "{}", printed.err);
     assert_eq!(fs::read(place.path("scan-out/run.json")).unwrap(), before);
     // The same capture, and a folder that somebody names, are no matter: there is another fault.
     fs::rename(place.path("p1/scan/0000.jpg"), place.path("kept.jpg")).unwrap();
     for command in ["measure p1/scan", "measure p2/scan --out scan-out"] {
-        let said = place.run(command);
-        assert!(!said.err.contains("something else"), "{}", said.err);
+        let printed = place.run(command);
+        assert!(!printed.err.contains("something else"), "{}", printed.err);
     }
     // A folder of a user's own of that name.
     place.write("q/own/0000.jpg", "no photo");
     place.write("own-out/diary.txt", "x");
-    let said = place.run("measure q/own").code(2);
-    assert!(said.err.contains("something else"), "{}", said.err);
+    let printed = place.run("measure q/own").code(2);
+    assert!(printed.err.contains("something else"), "{}", printed.err);
 }
 
 #[test]
@@ -191,11 +196,11 @@ fn keep_going_writes_what_succeeded() {
     let command = "run broken.toml --input f=turn --out out";
     place.run(command).code(1);
     assert!(!place.path("out").exists());
-    let said = place.run(&format!("{command} --keep-going")).code(1);
+    let printed = place.run(&format!("{command} --keep-going")).code(1);
     assert_eq!(names(place.path("out")), ["body.ply", "run.json"]);
-    let last = said.err.lines().rev().take(2).collect::<Vec<_>>();
-    assert!(last[0].starts_with("to repeat it: "), "{}", said.err);
-    assert!(last[1].starts_with("loaded failed: "), "{}", said.err);
+    let last = printed.err.lines().rev().take(2).collect::<Vec<_>>();
+    assert!(last[0].starts_with("to repeat it: "), "{}", printed.err);
+    assert!(last[1].starts_with("loaded failed: "), "{}", printed.err);
     let run = run_json(&place, "out");
     let statuses: Vec<_> = run["nodes"]
         .as_array()

@@ -26,17 +26,17 @@ static SHARED: LazyLock<PathBuf> = LazyLock::new(|| {
 });
 
 /// What the program said.
-pub(crate) struct Said {
+pub(crate) struct Printed {
     pub(crate) code: Option<i32>,
     pub(crate) out: String,
     pub(crate) err: String,
 }
 
-impl Said {
+impl Printed {
     /// Holds it to an exit code.
     #[track_caller]
-    pub(crate) fn code(self, code: i32) -> Said {
-        let Said { out, err, .. } = &self;
+    pub(crate) fn code(self, code: i32) -> Printed {
+        let Printed { out, err, .. } = &self;
         assert_eq!(self.code, Some(code), "{out}{err}");
         assert!(!err.contains("panicked"), "{err}");
         self
@@ -97,10 +97,10 @@ impl Place {
         command
     }
 
-    pub(crate) fn run(&self, args: &str) -> Said {
+    pub(crate) fn run(&self, args: &str) -> Printed {
         let out = self.command(args).output().unwrap();
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        Said {
+        Printed {
             code: out.status.code(),
             out: text(&out.stdout),
             err: text(&out.stderr),
@@ -108,18 +108,18 @@ impl Place {
     }
 
     /// Under a limit on the size of files, which stands for a full disk. \[KiB\]
-    pub(crate) fn run_limited(&self, kib: usize, args: &str) -> Said {
+    pub(crate) fn run_limited(&self, kib: usize, args: &str) -> Printed {
         let exe = env!("CARGO_BIN_EXE_tailor");
         self.bash(&format!("trap '' XFSZ; ulimit -f {kib}; exec {exe} {args}"))
     }
 
-    pub(crate) fn bash(&self, line: &str) -> Said {
+    pub(crate) fn bash(&self, line: &str) -> Printed {
         let mut bash = Command::new("bash");
         bash.env("XDG_STATE_HOME", self.path("state"));
         bash.env("LC_ALL", "C");
         let out = bash.args(["-c", line]).current_dir(self.0.path());
         let out = out.output().unwrap();
-        Said {
+        Printed {
             code: out.status.code(),
             out: String::from_utf8_lossy(&out.stdout).into_owned(),
             err: String::from_utf8_lossy(&out.stderr).into_owned(),
@@ -127,7 +127,7 @@ impl Place {
     }
 
     /// With one of its outputs into a device that takes nothing.
-    pub(crate) fn run_into_full(&self, output: &str, args: &str) -> Said {
+    pub(crate) fn run_into_full(&self, output: &str, args: &str) -> Printed {
         self.bash(&format!(
             "exec {} {args} {output}>/dev/full",
             env!("CARGO_BIN_EXE_tailor")

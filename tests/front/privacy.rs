@@ -50,15 +50,15 @@ fn what_is_forgotten_is_gone_and_the_rest_stays() {
     let inner = &photo[2000..2400];
     assert!(holds(&place, inner) && holds(&place, b"/anna\""));
     // The same photos lie elsewhere: told, and gone all the same.
-    let said = place.run("cache forget anna --json").code(0).json();
+    let printed = place.run("cache forget anna --json").code(0).json();
     assert_eq!(
-        (&said["runs"], &said["results"]),
+        (&printed["runs"], &printed["results"]),
         (&2.into(), &2.into()),
-        "{said}"
+        "{printed}"
     );
-    let shared = said["shared"].as_array().unwrap();
-    let told = |f: &serde_json::Value| f.as_str().unwrap().ends_with("/anna-too");
-    assert!(shared.iter().any(told), "{said}");
+    let shared = printed["shared"].as_array().unwrap();
+    let reported = |f: &serde_json::Value| f.as_str().unwrap().ends_with("/anna-too");
+    assert!(shared.iter().any(reported), "{printed}");
     assert!(!holds(&place, b"/anna\"") && !holds(&place, b"/anna/"));
     place.run("cache forget anna-too").code(0);
     place.run("cache forget bert").code(0);
@@ -144,10 +144,10 @@ fn who_is_measured_is_in_no_key_but_of_what_asks_for_it() {
     place.write("anna/capture.toml", "[subject]\nage_years = 10.5\n");
     assert_eq!(became(""), ["made", "found", "made"]);
     place.write("anna/capture.toml", "[subject]\nage_years = 1050\n");
-    let said = place.run("run turn.toml --input photos=anna").code(1).err;
+    let printed = place.run("run turn.toml --input photos=anna").code(1).err;
     assert!(
-        said.contains("`subject.age_years` wants a number from 0 to 130"),
-        "{said}"
+        printed.contains("`subject.age_years` wants a number from 0 to 130"),
+        "{printed}"
     );
 }
 
@@ -166,9 +166,9 @@ fn forget_names_the_folders_of_results_that_stay_and_removes_what_is_theirs() {
     let place = run_into("far/results");
     let photo = place.path("far/results/photos/images/0000.jpg");
     assert!(photo.exists());
-    let said = place.run("cache forget anna").code(0).out;
+    let printed = place.run("cache forget anna").code(0).out;
     for says in ["far/results", "--out"] {
-        assert!(said.contains(says), "{says}: {said}");
+        assert!(printed.contains(says), "{says}: {printed}");
     }
     assert!(photo.exists(), "named, not removed");
     assert!(!holds(&place, b"/anna") && !holds(&place, b"far/results"));
@@ -178,14 +178,14 @@ fn forget_names_the_folders_of_results_that_stay_and_removes_what_is_theirs() {
     fs::remove_file(place.path("far/results/photos/images/0001.jpg")).unwrap();
     let link = place.path("far/results/photos/images/0001.jpg");
     std::os::unix::fs::symlink(place.path("other/0001.jpg"), &link).unwrap();
-    let said = place.run("cache forget anna --out far/results").code(0).out;
+    let printed = place.run("cache forget anna --out far/results").code(0).out;
     assert!(
         !photo.exists() && !place.path("far/results/run.json").exists(),
-        "{said}"
+        "{printed}"
     );
     assert!(
-        said.contains("notes.txt") && said.contains("0001.jpg"),
-        "{said}"
+        printed.contains("notes.txt") && printed.contains("0001.jpg"),
+        "{printed}"
     );
     assert!(place.path("far/results/notes.txt").exists());
     assert!(place.path("other/0001.jpg").exists());
@@ -200,18 +200,21 @@ fn the_folder_of_a_sweep_is_named_and_removed_as_that_of_a_run() {
     place.run(sweep).code(0);
     let table = place.path("far/tables/sweep.csv");
     assert!(table.exists());
-    let said = place.run("cache forget anna").code(0).out;
-    assert!(said.contains("far/tables") && table.exists(), "{said}");
-    let said = place.run("cache forget anna --out far/tables").code(0).out;
-    assert!(!place.path("far/tables").exists(), "{said}");
+    let printed = place.run("cache forget anna").code(0).out;
+    assert!(
+        printed.contains("far/tables") && table.exists(),
+        "{printed}"
+    );
+    let printed = place.run("cache forget anna --out far/tables").code(0).out;
+    assert!(!place.path("far/tables").exists(), "{printed}");
     // A later sweep says what an earlier one left.
     place
         .run("run turn.toml --input photos=anna --out far/tables")
         .code(0);
-    let said = place.run(sweep).code(0).err;
+    let printed = place.run(sweep).code(0).err;
     assert!(
-        said.contains("left from an earlier run") && said.contains("tags.json"),
-        "{said}"
+        printed.contains("left from an earlier run") && printed.contains("tags.json"),
+        "{printed}"
     );
 }
 
@@ -223,11 +226,11 @@ fn forget_removes_no_results_of_another_capture() {
         .run("run turn.toml --input photos=bert --out theirs")
         .code(0);
     for out in ["theirs", "bert", "nowhere"] {
-        let said = place
+        let printed = place
             .run(&format!("cache forget anna --out {out}"))
             .code(2)
             .err;
-        assert!(said.contains(out), "{said}");
+        assert!(printed.contains(out), "{printed}");
     }
     assert!(place.path("theirs/run.json").exists());
     let photo = fs::read(place.path("anna/0000.jpg")).unwrap();
@@ -235,12 +238,12 @@ fn forget_removes_no_results_of_another_capture() {
         holds(&place, &photo[2000..2400]),
         "nothing goes if one word is wrong"
     );
-    let said = place
+    let printed = place
         .run("cache forget anna --out results --json")
         .code(0)
         .json();
-    assert_eq!(said["outs"], serde_json::json!([]), "{said}");
-    assert!(!place.path("results").exists(), "{said}");
+    assert_eq!(printed["outs"], serde_json::json!([]), "{printed}");
+    assert!(!place.path("results").exists(), "{printed}");
 }
 
 #[test]
@@ -249,19 +252,22 @@ fn forget_finds_the_folder_beside_a_capture_by_itself() {
     let place = run_into("anna-out");
     fs::remove_dir_all(place.path("cache")).unwrap();
     place.run("run turn.toml --input photos=anna").code(0);
-    let said = place.run("cache forget anna --json").code(0).json();
-    let outs = said["outs"].as_array().unwrap();
+    let printed = place.run("cache forget anna --json").code(0).json();
+    let outs = printed["outs"].as_array().unwrap();
     assert!(
         outs.len() == 1 && outs[0].as_str().unwrap().ends_with("anna-out"),
-        "{said}"
+        "{printed}"
     );
 }
 
 #[test]
 fn nothing_to_forget_is_not_a_success() {
     let place = run_into("results");
-    let said = place.run("cache forget ana").code(1).err;
-    assert!(said.contains("ana") && said.contains("--cache"), "{said}");
+    let printed = place.run("cache forget ana").code(1).err;
+    assert!(
+        printed.contains("ana") && printed.contains("--cache"),
+        "{printed}"
+    );
     place.run("cache forget anna").code(0);
     place.run("cache forget anna").code(1);
 }

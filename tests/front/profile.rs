@@ -7,8 +7,8 @@ use serde_json::Value;
 fn a_profile_tells_what_ran_and_nothing_of_what_was_found() {
     let place = Place::new();
     let first = place.run("run small.toml --profile first.json").code(0);
-    for told in ["clock s", "memory MB", "body", "ui.perfetto.dev"] {
-        assert!(first.err.contains(told), "{told}: {}", first.err);
+    for reported in ["clock s", "memory MB", "body", "ui.perfetto.dev"] {
+        assert!(first.err.contains(reported), "{reported}: {}", first.err);
     }
     let slices = |file: &str| -> Vec<(String, f64)> {
         let trace: Value =

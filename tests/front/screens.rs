@@ -1,7 +1,7 @@
 //! The first screen of `measure`: what it found, parts in words, the girths, warnings; in a pipe, on a terminal, in German.
 
 use crate::first_answer::sample;
-use crate::place::{Place, Said};
+use crate::place::{Place, Printed};
 
 /// Columns of a terminal as it comes.
 const COLUMNS: usize = 80;
@@ -25,11 +25,11 @@ fn in_order(text: &str, parts: &[&str]) {
 fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warnings() {
     // A capture that nobody named is called after its folder.
     let place = sample();
-    let said = place.run("measure turn --out out --fast").code(0);
+    let printed = place.run("measure turn --out out --fast").code(0);
     let found = "turn: 18 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
-    assert!(said.err.starts_with(found), "{}", said.err);
+    assert!(printed.err.starts_with(found), "{}", printed.err);
     in_order(
-        &said.err,
+        &printed.err,
         &[
             "Photos: done\n",
             "Cameras: done\n",
@@ -41,7 +41,7 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
         ],
     );
     in_order(
-        &said.out,
+        &printed.out,
         &[
             "turn: 18 of 18 photos",
             "girth ",
@@ -51,7 +51,7 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
             "report:    out",
         ],
     );
-    for text in [&said.out, &said.err] {
+    for text in [&printed.out, &printed.err] {
         assert!(!text.contains(['\r', '\u{1b}']), "{text:?}");
         assert!(!NODES.iter().any(|node| text.contains(node)), "{text}");
         let wide = text.lines().filter(|l| l.chars().count() > COLUMNS);
@@ -65,12 +65,12 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
     ] {
         assert!(page.contains(part), "{part}");
     }
-    in_other_ways(&place, &said);
+    in_other_ways(&place, &printed);
     on_a_terminal(&place);
 }
 
 /// The same in German, quiet, and by node.
-fn in_other_ways(place: &Place, said: &Said) {
+fn in_other_ways(place: &Place, printed: &Printed) {
     // Nothing is made anew in another language, and the numbers are the same.
     let german = place.run("measure turn --out out --lang de --fast").code(0);
     in_order(
@@ -101,14 +101,14 @@ fn in_other_ways(place: &Place, said: &Said) {
             .map(str::to_owned)
             .collect::<Vec<_>>()
     };
-    assert_eq!(numbers(&german.out), numbers(&said.out));
+    assert_eq!(numbers(&german.out), numbers(&printed.out));
     let line = format!(
         "LC_ALL= LANG=de_DE.UTF-8 {} measure turn --out out --fast",
         env!("CARGO_BIN_EXE_tailor")
     );
     assert_eq!(place.bash(&line).code(0).out, german.out);
     let quiet = place.run("measure turn --out out --quiet --fast").code(0);
-    assert_eq!((quiet.err, quiet.out), (String::new(), said.out.clone()));
+    assert_eq!((quiet.err, quiet.out), (String::new(), printed.out.clone()));
     let nodes = place.run("measure turn --out out --verbose --fast").code(0);
     assert!(nodes.err.contains("] calibrated   found"), "{}", nodes.err);
 }
@@ -146,11 +146,11 @@ fn what_was_warned_of_is_told_where_nothing_comes_of_it() {
     place.write("turn/raw.cr2", "x");
     // A mat that is not there.
     let wrong = "--mat-tag 60 --mat-ids 100-111 --mat-ring 100";
-    let said = place.run(&format!(
+    let printed = place.run(&format!(
         "measure turn --out out --set photos.stop=false {wrong}"
     ));
     in_order(
-        &said.code(1).err,
+        &printed.code(1).err,
         &[
             "turn: 9 photos",
             "\n1 warning\n",

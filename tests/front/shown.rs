@@ -36,10 +36,10 @@ fn what_is_shown_without_a_place_is_printed_or_written_under_its_nodes_name() {
     // The same again is no matter; nothing else is written over unasked.
     assert_eq!(show("body").code(0).out, "body.ply\n");
     place.write("body.ply", "mine");
-    let said = show("body").code(2).err;
+    let printed = show("body").code(2).err;
     assert!(
-        said.contains("body.ply is there already") && said.contains("-o"),
-        "{said}"
+        printed.contains("body.ply is there already") && printed.contains("-o"),
+        "{printed}"
     );
     assert!(
         show("body --as obj")
@@ -55,8 +55,12 @@ fn what_is_shown_without_a_place_is_printed_or_written_under_its_nodes_name() {
     let exe = env!("CARGO_BIN_EXE_tailor");
     if proof::program("script", "script") {
         let line = format!("script -qec '{exe} show body --pipeline doll.toml -o -' /dev/null");
-        let said = place.bash(&line);
-        assert!(said.out.contains("no text for a terminal"), "{}", said.out);
+        let printed = place.bash(&line);
+        assert!(
+            printed.out.contains("no text for a terminal"),
+            "{}",
+            printed.out
+        );
     }
 }
 
@@ -72,10 +76,10 @@ fn a_girth_is_its_tape_wherever_it_is_asked_for() {
     let girths = place.run("show girths --pipeline doll.toml").code(0).json();
     let all = girths["girths"].as_array().unwrap();
     let waist = all.iter().find(|g| g["name"] == "WC").unwrap();
-    for (told, key) in [(tape, "tape_cm"), (contour, "cm")] {
+    for (reported, key) in [(tape, "tape_cm"), (contour, "cm")] {
         assert!(
-            (told - waist[key].as_f64().unwrap()).abs() < 0.006,
-            "{told}: {waist}"
+            (reported - waist[key].as_f64().unwrap()).abs() < 0.006,
+            "{reported}: {waist}"
         );
     }
     assert!(contour > tape + 0.1, "{contour} {tape}");
@@ -90,25 +94,30 @@ fn a_girth_is_its_tape_wherever_it_is_asked_for() {
 fn a_run_ends_with_its_girths_its_warnings_and_its_folder() {
     let place = Place::new();
     place.write("doll.toml", doll());
-    let said = place.run("run doll.toml --out out").code(0);
-    let warned = said.err.matches("        warning: ").count();
-    assert!(warned > 1, "{}", said.err);
-    let lines: Vec<&str> = said.out.lines().collect();
+    let printed = place.run("run doll.toml --out out").code(0);
+    let warned = printed.err.matches("        warning: ").count();
+    assert!(warned > 1, "{}", printed.err);
+    let lines: Vec<&str> = printed.out.lines().collect();
     assert!(
         lines[0].starts_with("girth ") && lines[0].contains("tape cm"),
         "{}",
-        said.out
+        printed.out
     );
     let at = |line: &str| lines.iter().position(|l| *l == line);
-    let counted = at(&format!("{warned} warnings")).expect(&said.out);
+    let counted = at(&format!("{warned} warnings")).expect(&printed.out);
     assert!(
         lines[counted + 1].starts_with("  landmarks: "),
         "{}",
-        said.out
+        printed.out
     );
-    assert_eq!(at("all files: out"), Some(lines.len() - 1), "{}", said.out);
+    assert_eq!(
+        at("all files: out"),
+        Some(lines.len() - 1),
+        "{}",
+        printed.out
+    );
     // Without girths there is the folder alone, in JSON the record alone.
-    let said = place.run("run small.toml --out small").code(0);
-    assert_eq!(said.out, "all files: small\n");
+    let printed = place.run("run small.toml --out small").code(0);
+    assert_eq!(printed.out, "all files: small\n");
     place.run("run doll.toml --json").code(0).json();
 }

@@ -24,12 +24,15 @@ fn the_first_ctrl_c_drains_and_the_same_command_goes_on() {
     place.wait_for("photos", "progress");
     signal(&child, "INT");
     let status = child.wait().unwrap();
-    let said = BufReader::new(child.stderr.take().unwrap()).lines();
-    let said: Vec<String> = said.map(Result::unwrap).collect();
-    assert_eq!(status.code(), Some(130), "{said:?}");
-    assert!(said.iter().any(|l| l.starts_with("Stopping.")), "{said:?}");
+    let printed = BufReader::new(child.stderr.take().unwrap()).lines();
+    let printed: Vec<String> = printed.map(Result::unwrap).collect();
+    assert_eq!(status.code(), Some(130), "{printed:?}");
+    assert!(
+        printed.iter().any(|l| l.starts_with("Stopping.")),
+        "{printed:?}"
+    );
     assert_eq!(
-        said.last().unwrap(),
+        printed.last().unwrap(),
         "stopped; run the same command to go on"
     );
     assert!(place.has("photos", "done", "cancelled"));
@@ -65,12 +68,15 @@ fn the_second_ctrl_c_stops_at_once() {
     let mut child = place.start("run fine.toml --threads 1");
     place.wait_for("body", "started");
     signal(&child, "INT");
-    let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
-    let told = |line: String| line.starts_with("Stopping.");
-    assert!(said.any(|line| told(line.unwrap())), "told that it drains");
+    let mut printed = BufReader::new(child.stderr.take().unwrap()).lines();
+    let reported = |line: String| line.starts_with("Stopping.");
+    assert!(
+        printed.any(|line| reported(line.unwrap())),
+        "told that it drains"
+    );
     signal(&child, "INT");
     assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert!(said.all(|line| !line.unwrap().contains("stopped")));
+    assert!(printed.all(|line| !line.unwrap().contains("stopped")));
     let of_body = |e: &&serde_json::Value| e["node"] == "body" && e["event"] == "done";
     assert_eq!(place.events().iter().filter(of_body).count(), 0);
     place.sound();

@@ -76,10 +76,10 @@ fn nobody_signs_what_strangers_put_there() {
     assert_ne!(contents(&place, &format!("--cache lab {store}")), truth);
     place.run("cache keygen lab.key --cache none").code(0);
     fs::copy(place.path("lab.key.pub"), place.path("trusted")).unwrap();
-    let said = place
+    let printed = place
         .run(&format!("run small.toml --cache lab {keys}"))
         .code(0);
-    assert!(said.err.contains("unsigned"), "{}", said.err);
+    assert!(printed.err.contains("unsigned"), "{}", printed.err);
     let (head, ..) = object(&ring);
     assert_eq!(head[2], "1", "signed: {head:?}");
     let strict = format!("--cache reader {store} --trust trusted --store-read-only");
@@ -141,17 +141,17 @@ fn a_plan_that_nobody_trusted_signed_is_not_worked_on() {
     fs::copy(place.path("lab.key.pub"), place.path("trusted")).unwrap();
     let plan = |keys: &str| {
         let line = format!("plan small.toml --strands --json --cache one {store} {keys}");
-        let said = place.run(&line).code(0).json();
-        said["plan"].as_str().unwrap().to_owned()
+        let printed = place.run(&line).code(0).json();
+        printed["plan"].as_str().unwrap().to_owned()
     };
     let work = |name: &str, cache: &str| {
         let line = format!("work --plan {name} --strand 0 --cache {cache} {store} --trust trusted");
         place.run(&line)
     };
     let name = plan("");
-    let said = work(&name, "two");
-    assert_ne!(said.code, Some(0));
-    assert!(said.err.contains("not signed"), "{}", said.err);
+    let printed = work(&name, "two");
+    assert_ne!(printed.code, Some(0));
+    assert!(printed.err.contains("not signed"), "{}", printed.err);
     plan("--sign-key lab.key");
     work(&name, "two").code(0);
 }
@@ -195,15 +195,15 @@ fn a_store_that_never_answers_costs_no_more_than_was_said() {
     // Taken, and never answered.
     std::thread::spawn(move || listener.incoming().flatten().for_each(std::mem::forget));
     let begun = Instant::now();
-    let said = place.bash(&format!(
+    let printed = place.bash(&format!(
         "AWS_ACCESS_KEY_ID=a AWS_SECRET_ACCESS_KEY=b AWS_REGION=us-east-1 AWS_ALLOW_HTTP=true \
          AWS_ENDPOINT_URL=http://127.0.0.1:{port} timeout 60 {} run small.toml --store s3://b/p --store-wait 3",
         env!("CARGO_BIN_EXE_tailor")
     ));
-    let (took, said) = (begun.elapsed(), said.code(0));
-    assert!(said.err.contains("does not answer"), "{}", said.err);
+    let (took, printed) = (begun.elapsed(), printed.code(0));
+    assert!(printed.err.contains("does not answer"), "{}", printed.err);
     // The run itself takes a moment, longer on a busy machine.
-    assert!(took < Duration::from_secs(8), "{took:?}: {}", said.err);
+    assert!(took < Duration::from_secs(8), "{took:?}: {}", printed.err);
 }
 
 #[test]

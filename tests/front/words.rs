@@ -9,16 +9,16 @@ fn open_ports_are_told_with_the_other_mistakes() {
         [node.a]\nstage = \"synth.body\"\n[node.b]\nstage = \"synth.sway\"\nfrom = []\n\
         [node.c]\nstage = \"synth.body\"\nfrom = { solid = \"nobody\" }\n";
     place.write("wrong.toml", wrong);
-    let said = place.run("check wrong.toml").code(2).err;
+    let printed = place.run("check wrong.toml").code(2).err;
     for what in [
         "node `a`: port `solid` wants solid",
         "node `b`: port `cameras` wants cameras",
         "there is no node `nobody`",
         "there is no param `stature`",
     ] {
-        assert!(said.contains(what), "{what}: {said}");
+        assert!(printed.contains(what), "{what}: {printed}");
     }
-    assert!(!said.contains("node `c`"), "said already: {said}");
+    assert!(!printed.contains("node `c`"), "said already: {printed}");
 }
 
 #[test]
@@ -47,9 +47,9 @@ fn what_the_command_line_says_is_not_looked_for_in_the_file() {
             "body.cell_mm=10..20/5 is five",
         ),
     ] {
-        let said = place.run(args).code(2).err;
-        assert!(said.contains(says), "{args}: {said}");
-        assert!(!said.contains("--> small.toml"), "{args}: {said}");
+        let printed = place.run(args).code(2).err;
+        assert!(printed.contains(says), "{args}: {printed}");
+        assert!(!printed.contains("--> small.toml"), "{args}: {printed}");
     }
 }
 
@@ -66,10 +66,10 @@ fn names_of_girths_that_are_taken_are_refused_before_anything_runs() {
         ),
     ] {
         place.write("own.toml", format!("extends = \"body\"\n{girths}"));
-        let said = place.run("check own.toml").code(2).err;
+        let printed = place.run("check own.toml").code(2).err;
         assert!(
-            said.contains(says) && said.contains("own.toml:2:"),
-            "{said}"
+            printed.contains(says) && printed.contains("own.toml:2:"),
+            "{printed}"
         );
     }
     place.write(
@@ -78,10 +78,10 @@ fn names_of_girths_that_are_taken_are_refused_before_anything_runs() {
     );
     place.run("check own.toml").code(0);
     let set = "landmarks.girth.NC.part=trunk --set landmarks.girth.NC.at=0.9";
-    let said = place.run(&format!("plan body --set {set}")).code(2).err;
-    assert!(said.contains("`girth.NC` is taken"), "{said}");
-    let said = place.run("plan body --set hull.voxel=2").code(2).err;
-    assert!(said.contains("did you mean `voxel_mm`"), "{said}");
+    let printed = place.run(&format!("plan body --set {set}")).code(2).err;
+    assert!(printed.contains("`girth.NC` is taken"), "{printed}");
+    let printed = place.run("plan body --set hull.voxel=2").code(2).err;
+    assert!(printed.contains("did you mean `voxel_mm`"), "{printed}");
 }
 
 #[test]
@@ -93,10 +93,10 @@ fn both_places_of_a_duplicate_are_told() {
     ] {
         let text = SMALL.replace("with = { cell_mm = 40.0 }\n", more);
         place.write("twice.toml", text);
-        let said = place.run("check twice.toml").code(2).err;
+        let printed = place.run("check twice.toml").code(2).err;
         assert!(
-            said.contains(&format!("the first is in line {line}")),
-            "{said}"
+            printed.contains(&format!("the first is in line {line}")),
+            "{printed}"
         );
     }
 }
@@ -108,8 +108,8 @@ fn what_is_missing_or_leads_out_is_named() {
         stage = \"capture.load\"\nfrom = { files = \"@photos\" }\n";
     place.write("turn.toml", turn);
     for args in ["run turn.toml --input photos=no/where", "measure no/where"] {
-        let said = place.run(args).code(2).err;
-        assert!(said.contains("no/where"), "{said}");
+        let printed = place.run(args).code(2).err;
+        assert!(printed.contains("no/where"), "{printed}");
     }
     for files in [
         "../../../etc/passwd",
@@ -119,10 +119,10 @@ fn what_is_missing_or_leads_out_is_named() {
     ] {
         place.write("out.toml", turn.replace("*.jpg", files));
         for verb in ["check out.toml", "run out.toml --input photos=."] {
-            let said = place.run(verb).code(2).err;
+            let printed = place.run(verb).code(2).err;
             assert!(
-                said.contains("stays in the input's folder"),
-                "{files}: {said}"
+                printed.contains("stays in the input's folder"),
+                "{files}: {printed}"
             );
         }
     }
@@ -136,8 +136,8 @@ fn odd_names_of_files_are_told_and_steer_no_terminal() {
     // Words of a pipeline's own.
     place.write("esc.toml", SMALL.replace("a doll", "a \\u001b[31mdoll"));
     place.run("run esc.toml").code(0);
-    let told = place.run("cache runs").code(0).out;
-    assert!(told.contains("a \\u{1b}[31mdoll"), "{told:?}");
+    let reported = place.run("cache runs").code(0).out;
+    assert!(reported.contains("a \\u{1b}[31mdoll"), "{reported:?}");
     let turn = "goal = \"photos\"\n[input.photos]\nfiles = \"*.jpg\"\n[node.photos]\n\
         stage = \"capture.load\"\nfrom = { files = \"@photos\" }\n";
     place.write("turn.toml", turn);
@@ -149,11 +149,11 @@ fn odd_names_of_files_are_told_and_steer_no_terminal() {
         place.photos("turn", 3);
         let odd = place.path("turn").join(OsStr::from_bytes(bytes));
         std::fs::write(&odd, "x").unwrap();
-        let said = place.run("run turn.toml --input photos=turn").code(2).err;
-        assert!(said.contains(says), "{said:?}");
+        let printed = place.run("run turn.toml --input photos=turn").code(2).err;
+        assert!(printed.contains(says), "{printed:?}");
         assert!(
-            !said.contains('\u{1b}') && said.lines().count() == 1,
-            "{said:?}"
+            !printed.contains('\u{1b}') && printed.lines().count() == 1,
+            "{printed:?}"
         );
         std::fs::remove_file(odd).unwrap();
         // What does not fit is nobody's business.
@@ -189,12 +189,15 @@ fn one_of_something_is_told_as_one() {
 #[test]
 fn a_built_in_pipeline_is_compared_by_its_name() {
     let place = Place::new();
-    let said = place.run("compare paper rigid weighted_median").code(2).err;
-    assert!(said.contains("input `photos`"), "{said}");
-    let said = place.run("compare paper rigid weightd_median").code(2).err;
-    assert!(said.contains("did you mean `weighted_median`"), "{said}");
-    let said = place.run("compare papr rigid weighted_median").code(2).err;
-    assert!(said.contains("`papr` is no folder"), "{said}");
+    let printed = place.run("compare paper rigid weighted_median").code(2).err;
+    assert!(printed.contains("input `photos`"), "{printed}");
+    let printed = place.run("compare paper rigid weightd_median").code(2).err;
+    assert!(
+        printed.contains("did you mean `weighted_median`"),
+        "{printed}"
+    );
+    let printed = place.run("compare papr rigid weighted_median").code(2).err;
+    assert!(printed.contains("`papr` is no folder"), "{printed}");
     place.run("run small.toml --out paper").code(0);
     place.run("compare paper last").code(0);
 }

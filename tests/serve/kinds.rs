@@ -179,8 +179,8 @@ fn photos_that_this_build_cannot_read_are_refused_with_what_to_do() {
     if cfg!(feature = "heic") {
         return tab.until("location.pathname.startsWith('/captures/')");
     }
-    tab.until("document.querySelector('#drop-said').textContent.includes('HEIC photo')");
-    let message = tab.value("document.querySelector('#drop-said').textContent");
+    tab.until("document.querySelector('#drop-word').textContent.includes('HEIC photo')");
+    let message = tab.value("document.querySelector('#drop-word').textContent");
     let message = message.as_str().unwrap();
     assert!(
         message.contains("IMG_1.HEIC") && message.contains("Most Compatible"),

@@ -90,14 +90,14 @@ impl Place {
 #[test]
 fn replicates_are_tabled_compared_and_kept_as_files() {
     let place = Place::new();
-    let told = place.tailor("sweep studies/hulls.toml hulls --out out", 0);
+    let reported = place.tailor("sweep studies/hulls.toml hulls --out out", 0);
     assert!(
-        told.contains(" ± ") && told.contains("worse less as_it_is"),
-        "{told}"
+        reported.contains(" ± ") && reported.contains("worse less as_it_is"),
+        "{reported}"
     );
     assert!(
-        told.contains("too few"),
-        "three pairs are too few for anything: {told}"
+        reported.contains("too few"),
+        "three pairs are too few for anything: {reported}"
     );
     let sweep: Value = serde_json::from_str(&place.read("out/sweep.json")).unwrap();
     assert_eq!(sweep["points"].as_array().unwrap().len(), 12);
@@ -168,9 +168,9 @@ fn compare_tests_variants_and_folders_pair_by_pair() {
     let place = Place::new();
     let pairs =
         "compare studies/hulls.toml as-is seen.border_px=2.0 --replicate 6 --tell hull.volume";
-    let told = place.tailor(&format!("{pairs} --json --out pairs"), 0);
-    let told: Value = serde_json::from_str(&told).unwrap();
-    let pair = &told["paired"][0]["pairs"][0];
+    let reported = place.tailor(&format!("{pairs} --json --out pairs"), 0);
+    let reported: Value = serde_json::from_str(&reported).unwrap();
+    let pair = &reported["paired"][0]["pairs"][0];
     assert_eq!(
         (pair["n"].as_u64(), pair["exact"].as_bool()),
         (Some(6), Some(true))
@@ -194,35 +194,36 @@ fn compare_tests_variants_and_folders_pair_by_pair() {
         "sweep studies/hulls.toml --replicate 3 --variant worse --tell hull.volume --out b",
         0,
     );
-    let told = place.tailor("compare a b", 0);
+    let reported = place.tailor("compare a b", 0);
     assert!(
-        told.contains("b less a") && told.contains("hull.volume"),
-        "{told}"
+        reported.contains("b less a") && reported.contains("hull.volume"),
+        "{reported}"
     );
-    let said = place.tailor("compare a b --replicate 3", 2);
-    assert!(said.contains("name their pipeline first"), "{said}");
-    let said = place.tailor("sweep studies/hulls.toml --nodes solid --replicate 3", 2);
+    let printed = place.tailor("compare a b --replicate 3", 2);
+    assert!(printed.contains("name their pipeline first"), "{printed}");
+    let printed = place.tailor("sweep studies/hulls.toml --nodes solid --replicate 3", 2);
     assert!(
-        said.contains("all replicates would be the same") && said.contains("synth.jitter.seed"),
-        "{said}"
+        printed.contains("all replicates would be the same")
+            && printed.contains("synth.jitter.seed"),
+        "{printed}"
     );
-    let said = place.tailor(
+    let printed = place.tailor(
         "sweep studies/hulls.toml --sweep seen.seed=1,2 --replicate 3",
         2,
     );
     assert!(
-        said.contains("varies by itself and by `replicate`"),
-        "{said}"
+        printed.contains("varies by itself and by `replicate`"),
+        "{printed}"
     );
 }
 
 #[test]
 fn a_study_keeps_its_table_and_tells_what_moved() {
     let place = Place::new();
-    let said = place.tailor("study run all --out lab --check", 2);
-    assert!(said.contains("no earlier data"), "{said}");
-    let told = place.tailor("study run all --out lab --quiet", 0);
-    assert_eq!(told, "1 study: nothing moved\n");
+    let printed = place.tailor("study run all --out lab --check", 2);
+    assert!(printed.contains("no earlier data"), "{printed}");
+    let reported = place.tailor("study run all --out lab --quiet", 0);
+    assert_eq!(reported, "1 study: nothing moved\n");
     let (page, data) = (place.read("lab/hulls.md"), place.read("lab/hulls.json"));
     assert!(
         page.starts_with("# What do errors of silhouettes do to a hull?\n")
@@ -242,11 +243,11 @@ fn a_study_keeps_its_table_and_tells_what_moved() {
         "studies/hulls.toml",
         &HULLS.replace("stature_mm = 300.0", "stature_mm = 310.0"),
     );
-    let told = place.tailor("study run all --out lab --check --quiet", 1);
+    let reported = place.tailor("study run all --out lab --check --quiet", 1);
     assert!(
-        told.contains("hulls: as_it_is hull.voxel_mm=12.0 hull.volume: ")
-            && told.contains("4 numbers moved"),
-        "{told}"
+        reported.contains("hulls: as_it_is hull.voxel_mm=12.0 hull.volume: ")
+            && reported.contains("4 numbers moved"),
+        "{reported}"
     );
     assert_eq!(place.read("lab/hulls.json"), data, "--check writes nothing");
     let listed = place.tailor("study ls", 0);
@@ -254,9 +255,9 @@ fn a_study_keeps_its_table_and_tells_what_moved() {
         listed,
         "hulls  What do errors of silhouettes do to a hull?\n"
     );
-    let said = place.tailor("study run hull", 2);
-    assert!(said.contains("did you mean `hulls`"), "{said}");
+    let printed = place.tailor("study run hull", 2);
+    assert!(printed.contains("did you mean `hulls`"), "{printed}");
     place.write("studies/other.toml", HULLS);
-    let said = place.tailor("study run other --out lab", 2);
-    assert!(said.contains("[sweep.other]"), "{said}");
+    let printed = place.tailor("study run other --out lab", 2);
+    assert!(printed.contains("[sweep.other]"), "{printed}");
 }

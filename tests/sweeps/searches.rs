@@ -7,8 +7,8 @@ use std::io::{BufRead, BufReader};
 #[test]
 fn a_search_writes_its_best_set_as_a_variant_and_goes_on_from_the_cache() {
     let place = Place::new();
-    let told = place.tailor("search studies/hulls.toml wide --out found", 0);
-    assert!(told.contains("[variant.wide_best]"), "{told}");
+    let reported = place.tailor("search studies/hulls.toml wide --out found", 0);
+    assert!(reported.contains("[variant.wide_best]"), "{reported}");
     place.tailor("run found/best.toml --variant wide_best", 0);
     let search: Value = serde_json::from_str(&place.read("found/search.json")).unwrap();
     let values = search["tried"]
@@ -24,15 +24,15 @@ fn a_search_writes_its_best_set_as_a_variant_and_goes_on_from_the_cache() {
         place.read("found/search.csv").lines().count(),
         1 + values.count()
     );
-    let best = |told: &str| {
-        told[told.find("the best as a variant").unwrap()..]
+    let best = |reported: &str| {
+        reported[reported.find("the best as a variant").unwrap()..]
             .lines()
             .take(6)
             .collect::<Vec<_>>()
             .join("\n")
     };
     let again = place.tailor("search studies/hulls.toml wide --quiet", 0);
-    assert_eq!(best(&again), best(&told), "the same again");
+    assert_eq!(best(&again), best(&reported), "the same again");
     // Strand by strand, as a cluster does it: the same rounds, the same best set, nothing left to make here.
     let mut rounds = Vec::new();
     let found = loop {
@@ -55,8 +55,8 @@ fn a_search_writes_its_best_set_as_a_variant_and_goes_on_from_the_cache() {
         0,
     );
     assert_eq!(found, serde_json::from_str::<Value>(&alone).unwrap());
-    let said = place.tailor("search studies/hulls.toml wid", 2);
-    assert!(said.contains("did you mean `wide`"), "{said}");
+    let output = place.tailor("search studies/hulls.toml wid", 2);
+    assert!(output.contains("did you mean `wide`"), "{output}");
 }
 
 #[test]

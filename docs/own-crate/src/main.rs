@@ -1,4 +1,4 @@
-//! All of tailor, and a stage more: how much skin lies at which height.
+//! All of tailor, and a stage more: how much skin is at which height.
 
 use shape::Mesh;
 use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Ctx, Packer, Stage, Stop, Unpacker, erase};
@@ -26,7 +26,7 @@ impl Artifact for Areas {
 }
 
 stage::params! {
-    /// How finely heights are told apart.
+    /// How finely heights are kept apart.
     pub struct AreaParams {
         /// Slices from the soles to the crown.
         #[range(1..=1000)]
@@ -42,7 +42,7 @@ stage::inputs! {
     }
 }
 
-/// `mine.areas`: mesh → areas. A face belongs to the slice that its middle lies in.
+/// `mine.areas`: mesh → areas. A face belongs to the slice that its middle is in.
 struct MeasureAreas;
 
 impl Stage for MeasureAreas {

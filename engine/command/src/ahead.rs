@@ -18,7 +18,7 @@ use serde_json::json;
 pub(crate) struct PlanArgs {
     #[command(flatten)]
     words: Words,
-    /// Cut it into strands for a cluster instead; the plan lies in the cache, its name is told
+    /// Cut it into strands for a cluster instead; the plan is in the cache, its name is told
     #[arg(long)]
     strands: bool,
     /// With --strands: one run for every folder in FOLDER, as the input NAME: NAME=FOLDER
@@ -77,12 +77,12 @@ pub(crate) fn plan(
             planned(&wanted, global)?
         }
     };
-    told(&answer, global);
+    reported(&answer, global);
     listed(&answer.graph, global)
 }
 
 /// Every node with what would become of it, and how long all may take.
-fn told(answer: &Answer, global: &GlobalArgs) {
+fn reported(answer: &Answer, global: &GlobalArgs) {
     let Answer { graph, plan, .. } = answer;
     let (mut lines, mut seconds, mut unknown) = (Vec::new(), [0.0; 2], 0);
     for (node, planned) in graph.nodes.iter().zip(plan) {

@@ -238,12 +238,15 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
             *states.entry(why).or_default() += 1;
         }
         if !global.json {
-            let told: Vec<String> = states.iter().map(|(s, n)| format!("{n} {s}")).collect();
-            let told = match told.is_empty() || done == of {
+            let reported: Vec<String> = states.iter().map(|(s, n)| format!("{n} {s}")).collect();
+            let reported = match reported.is_empty() || done == of {
                 true => String::new(),
-                false => format!("; elements: {}", told.join(", ")),
+                false => format!("; elements: {}", reported.join(", ")),
             };
-            crate::outln!("layer {at}: {done} of {} done{told}", count(of, "strand"));
+            crate::outln!(
+                "layer {at}: {done} of {} done{reported}",
+                count(of, "strand")
+            );
         }
         layers.push(json!({ "layer": at, "strands": of, "done": done, "elements": states }));
     }

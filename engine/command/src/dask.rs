@@ -104,16 +104,16 @@ pub(super) fn status(
             );
         }
         false => {
-            let told: Vec<String> = states
+            let reported: Vec<String> = states
                 .iter()
                 .map(|(state, n)| format!("{n} {state}"))
                 .collect();
-            let told = if told.is_empty() {
+            let reported = if reported.is_empty() {
                 String::new()
             } else {
-                format!("; tasks: {}", told.join(", "))
+                format!("; tasks: {}", reported.join(", "))
             };
-            crate::outln!("{done} of {} done{told}", count(of, "strand"));
+            crate::outln!("{done} of {} done{reported}", count(of, "strand"));
         }
     }
     match done == of || alive > 0 {

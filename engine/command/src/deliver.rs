@@ -30,7 +30,7 @@ fn real(path: &Path) -> PathBuf {
     whole
 }
 
-/// Whether a folder is another, or lies in it.
+/// Whether a folder is another, or is in it.
 pub fn lies_in(inner: &Path, outer: &Path) -> bool {
     real(inner).starts_with(real(outer))
 }
@@ -50,7 +50,7 @@ pub fn whose(folders: &[(String, PathBuf)]) -> String {
 ///
 /// # Errors
 ///
-/// Results would lie in a folder that is read, or over files that are not ours.
+/// Results would be in a folder that is read, or over files that are not ours.
 pub fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) -> Result<(), Fault> {
     for (name, folder) in folders {
         let input = graph.inputs.iter().find(|i| i.name == *name);

@@ -3,7 +3,7 @@
 
 use super::deliver::whose;
 use super::fault::Fault;
-use super::forget_told::{remains, told};
+use super::forget_report::{remains, reported};
 use super::program::GlobalArgs;
 use clap::Args;
 use engine::delivery::{self, Withdrawn, withdraw};
@@ -35,7 +35,7 @@ fn marks(folder: &Path, global: &GlobalArgs) -> BTreeSet<String> {
     inner.chain([folder.to_owned()]).map(of).collect()
 }
 
-/// Where results of a folder lie: as the cache notes it, and in folders here and beside the folder.
+/// Where results of a folder are: as the cache notes it, and in folders here and beside the folder.
 fn results(
     store: &Store,
     folder: &Path,
@@ -113,5 +113,5 @@ pub(super) fn forget_folder(
             .for_each(|out| why += &format!("\n{}", remains(out)));
         return Err(Fault::stage(why));
     }
-    told(&forgotten, &stay, &gone, global)
+    reported(&forgotten, &stay, &gone, global)
 }

@@ -1,10 +1,10 @@
-//! Where this program lies, for others to start it.
+//! Where this program is, for others to start it.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use std::path::{Path, PathBuf};
 
-/// A command that lies beside this process's own program, or else on the path. In the Python package also beside
+/// A command that is beside this process's own program, or else on the path. In the Python package also beside
 /// Python as it was called and the script that it runs: the system names an environment's Python by the one that
 /// its link leads to.
 pub(super) fn beside(name: &str) -> Option<PathBuf> {
@@ -26,7 +26,7 @@ pub(super) fn beside(name: &str) -> Option<PathBuf> {
     std::path::absolute(found).ok()
 }
 
-/// This program: in the Python package the process is Python, and the command lies beside it.
+/// This program: in the Python package the process is Python, and the command is beside it.
 pub(super) fn program(global: &GlobalArgs) -> Result<PathBuf, Fault> {
     let own = std::env::current_exe().map_err(Fault::input)?;
     let name = global.program().name;

@@ -79,7 +79,7 @@ pub(super) fn of_words(words: &Words, global: &GlobalArgs) -> Result<Wanted, Fau
 
 /// What a verb of the program's own would run: `plan measure DIR`.
 pub(super) fn of_verb(
-    (verb, said): (&str, &ArgMatches),
+    (verb, printed): (&str, &ArgMatches),
     global: &GlobalArgs,
     words: &Words,
 ) -> Result<Job, Fault> {
@@ -88,5 +88,5 @@ pub(super) fn of_verb(
     }
     let mut jobs = global.program().jobs.iter();
     let job = jobs.find(|(name, _)| *name == verb);
-    (job.expect("bug: a verb without a job").1)(said, global)
+    (job.expect("bug: a verb without a job").1)(printed, global)
 }

@@ -182,7 +182,7 @@ fn verify(
     }
 }
 
-/// The last screen of a run: what the program shows of its results, and where they lie.
+/// The last screen of a run: what the program shows of its results, and where they are.
 fn ended(ran: &Ran<'_>, out: Option<&Path>, global: &GlobalArgs) {
     let screen = (global.program().screen)(ran);
     if let Some(screen) = &screen {

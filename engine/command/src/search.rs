@@ -4,8 +4,8 @@ use super::fault::Fault;
 use super::open::{folders, options, truth_is_there};
 use super::program::GlobalArgs;
 use super::programs::permitted;
+use super::search_report::{SearchArgs, reported};
 use super::search_strands::{self, Halt};
-use super::search_told::{SearchArgs, told};
 use super::strands::named;
 use super::text::count;
 use engine::Outcome;
@@ -56,7 +56,7 @@ pub(crate) fn search(args: &SearchArgs, global: &GlobalArgs) -> Result<(), Fault
     truth_is_there(args.truth.as_deref())?;
     permitted(&base, global)?;
     match run(args, global, (&pipeline, &all, declared)) {
-        Ok(found) => told(args, global, declared, &found),
+        Ok(found) => reported(args, global, declared, &found),
         Err(Halt::Fault(fault)) => Err(fault),
         Err(Halt::Next(round, plan)) => {
             let store = Store::open(&global.cache).map_err(Fault::input)?;

@@ -2,7 +2,7 @@
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
-use super::search_told::SearchArgs;
+use super::search_report::SearchArgs;
 use super::strands;
 use engine::cluster;
 use engine::recipe::{Overrides, Pipeline};

@@ -75,16 +75,16 @@ fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> 
 
 /// A picture under another picture's ending would be opened by nobody.
 fn ending_fits(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Fault> {
-    let said = path.extension().unwrap_or_default().to_string_lossy();
-    let said = said.to_lowercase();
+    let printed = path.extension().unwrap_or_default().to_string_lossy();
+    let printed = printed.to_lowercase();
     let [(_, bytes)] = files else { return Ok(()) };
     let is = match bytes.as_slice() {
         [0xff, 0xd8, 0xff, ..] => ["jpg", "jpeg"],
         [0x89, b'P', b'N', b'G', ..] => ["png", "png"],
         _ => return Ok(()),
     };
-    let picture = ["jpg", "jpeg", "png"].contains(&said.as_str());
-    match picture && !is.contains(&said.as_str()) {
+    let picture = ["jpg", "jpeg", "png"].contains(&printed.as_str());
+    match picture && !is.contains(&printed.as_str()) {
         true => Err(Fault::input(format!(
             "{}: this picture is written as .{}; give the file that ending",
             path.display(),
@@ -181,8 +181,8 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     let graph = open_pipeline(show.pipeline.as_deref(), &show.change, global)?;
     let wanted = node(&graph, &show.node)?;
     let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let said = folders(&show.change)?;
-    let files = engine::said_inputs(&graph, &said, &store).map_err(Fault::input)?;
+    let printed = folders(&show.change)?;
+    let files = engine::said_inputs(&graph, &printed, &store).map_err(Fault::input)?;
     let contents: Vec<Option<Hash>> = files
         .iter()
         .map(|f| f.as_ref().map(stage::content))
@@ -201,7 +201,7 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     };
     let name = &graph.nodes[wanted].name;
     let (id, run, (artifact, blob)) = newest(name).ok_or_else(|| {
-        let of = if said.is_empty() {
+        let of = if printed.is_empty() {
             ""
         } else {
             " of this input"

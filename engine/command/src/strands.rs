@@ -56,7 +56,7 @@ pub(crate) fn plan(wanted: &Wanted, each: &[String], global: &GlobalArgs) -> Res
     written(&asked, global)
 }
 
-/// Every point with every folder that lies in the one that `NAME=FOLDER` says, in natural order.
+/// Every point with every folder that is in the one that `NAME=FOLDER` says, in natural order.
 fn crossed(
     points: &[(Overrides, Folders)],
     text: &str,

@@ -39,7 +39,7 @@ pub struct SweepArgs {
     /// Remove from that folder what an earlier run wrote there and this one does not
     #[arg(long, requires = "out")]
     pub(super) clean: bool,
-    /// Cut it into strands for a cluster instead of running it; the plan lies in the cache, its name is told
+    /// Cut it into strands for a cluster instead of running it; the plan is in the cache, its name is told
     #[arg(long, conflicts_with_all = ["out", "truth"])]
     pub(super) strands: bool,
     /// Repeat each point so often, each time with other seeds of what is by chance (noise, jitter, draws)
@@ -74,9 +74,9 @@ impl SweepArgs {
     /// What is wrong with them.
     pub fn read(words: &[String]) -> Result<SweepArgs, Fault> {
         let command = SweepArgs::augment_args(clap::Command::new("sweep").no_binary_name(true));
-        let said = command.try_get_matches_from(words);
-        let said = said.map_err(|why| Fault::input(why.to_string().trim_end()))?;
-        SweepArgs::from_arg_matches(&said).map_err(Fault::input)
+        let printed = command.try_get_matches_from(words);
+        let printed = printed.map_err(|why| Fault::input(why.to_string().trim_end()))?;
+        SweepArgs::from_arg_matches(&printed).map_err(Fault::input)
     }
 }
 
@@ -92,7 +92,7 @@ pub(super) struct Asked {
 
 /// The axes of the command line.
 fn given(over: &[String]) -> Result<Vec<Axis>, Fault> {
-    let all = over.iter().map(|text| axes::said(text));
+    let all = over.iter().map(|text| axes::given(text));
     let all: Vec<Axis> = all.collect::<Result<_, _>>().map_err(Fault::input)?;
     for (k, axis) in all.iter().enumerate() {
         let before = || all[..k].iter().flat_map(|a| &a.params);

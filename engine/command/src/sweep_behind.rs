@@ -4,7 +4,7 @@
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::sweep_asked::SweepArgs;
-use super::sweep_told::how;
+use super::sweep_report::how;
 use engine::delivery::Delivery;
 use engine::graph::Graph;
 use engine::store::Store;

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::{
-    ahead, answers, cache, cluster, export, impact, manual, run_verb, search, search_told, show,
+    ahead, answers, cache, cluster, export, impact, manual, run_verb, search, search_report, show,
     strands, study, sweep, sweep_asked, why,
 };
 use clap::{ArgMatches, Subcommand};
@@ -68,7 +68,7 @@ pub(super) enum Own {
     },
     /// `sweep PIPELINE NAME`
     #[command(hide = true)]
-    Search(search_told::SearchArgs),
+    Search(search_report::SearchArgs),
     /// `cluster work`
     #[command(hide = true)]
     Work(strands::Work),

@@ -133,11 +133,11 @@ impl Dask<'_> {
             // Who does not read it says why below.
             let _ = to.write_all(asked.to_string().as_bytes());
         }
-        let refused = |said: String| DaskError::Refused(name.clone(), said);
+        let refused = |reply: String| DaskError::Refused(name.clone(), reply);
         let ended = child.wait_with_output();
         let ended = ended.map_err(|e| refused(e.to_string()))?;
-        let said = String::from_utf8_lossy(&ended.stderr);
-        let last = said.lines().rfind(|line| !line.trim().is_empty());
+        let reply = String::from_utf8_lossy(&ended.stderr);
+        let last = reply.lines().rfind(|line| !line.trim().is_empty());
         match ended.status.success() {
             true => serde_json::from_slice(&ended.stdout).map_err(|e| refused(e.to_string())),
             false => Err(refused(last.unwrap_or("nothing").trim().to_owned())),

@@ -9,20 +9,20 @@ pub enum SlurmError {
     #[error("`{0}` is not here: this machine submits to no Slurm; run this where `sbatch` works")]
     Missing(&'static str),
     /// It says no.
-    #[error("`{command}` printed: {said}")]
+    #[error("`{command}` printed: {answer}")]
     Refused {
         /// The command.
         command: String,
         /// What it says.
-        said: String,
+        answer: String,
     },
     /// It says something else than it should.
-    #[error("`{command}` printed {said:?}, which is not understood")]
+    #[error("`{command}` printed {answer:?}, which is not understood")]
     Odd {
         /// The command.
         command: String,
         /// What it says.
-        said: String,
+        answer: String,
     },
 }
 
@@ -39,9 +39,9 @@ pub(super) fn ask(name: &'static str, words: &[String], input: &str) -> Result<S
         // Who does not read it says why below.
         let _ = to.write_all(input.as_bytes());
     }
-    let refused = |said: String| SlurmError::Refused {
+    let refused = |answer: String| SlurmError::Refused {
         command: format!("{name} {}", words.join(" ")),
-        said: said.trim().to_owned(),
+        answer: answer.trim().to_owned(),
     };
     let ended = child
         .wait_with_output()
@@ -83,7 +83,7 @@ impl Limits {
         let limits = number("MaxArraySize").zip(number("MaxJobCount"));
         let (most_elements, most_jobs) = limits.ok_or_else(|| SlurmError::Odd {
             command: "scontrol show config".into(),
-            said: config.chars().take(200).collect(),
+            answer: config.chars().take(200).collect(),
         })?;
         Ok(Limits {
             most_elements,
@@ -98,9 +98,9 @@ mod tests {
 
     #[test]
     fn limits_are_read_and_nonsense_is_refused() {
-        let said =
+        let answer =
             "Configuration data as of 2026\nMaxArraySize            = 1001\nMaxJobCount  = 10000\n";
-        let limits = Limits::read(said).unwrap();
+        let limits = Limits::read(answer).unwrap();
         assert_eq!((limits.most_elements, limits.most_jobs), (1001, 10_000));
         for wrong in [
             "",

@@ -56,9 +56,9 @@ impl Slurm<'_> {
         let words = ["-h", "-r", "--states=all", "-o", "%F|%j|%T|%m|%r"].map(str::to_owned);
         let mut words = words.to_vec();
         words.push(format!("--name={}", names.join(",")));
-        let said = ask("squeue", &words, "")?;
+        let answer = ask("squeue", &words, "")?;
         let line = |line: &str| Sent::queued(line, &names);
-        Ok(said.lines().filter_map(line).collect())
+        Ok(answer.lines().filter_map(line).collect())
     }
 
     /// Its jobs of the last month that Slurm's accounting remembers: one question. None where the site
@@ -76,9 +76,9 @@ impl Slurm<'_> {
         ];
         let mut words = words.map(str::to_owned).to_vec();
         words.push(format!("--name={}", names.join(",")));
-        let said = ask("sacct", &words, "").unwrap_or_default();
+        let answer = ask("sacct", &words, "").unwrap_or_default();
         let line = |line: &str| Sent::remembered(line, &names);
-        said.lines().filter_map(line).collect()
+        answer.lines().filter_map(line).collect()
     }
 
     /// Sends one layer; `after` says what it waits for. Returns the job's number.
@@ -113,14 +113,14 @@ impl Slurm<'_> {
         wished("time", wish.time.as_deref());
         wished("dependency", after);
         words.extend(wish.more.iter().cloned());
-        let said = ask("sbatch", &words, &self.script(layer, wish))?;
+        let answer = ask("sbatch", &words, &self.script(layer, wish))?;
         // With several clusters: `number;cluster`.
-        let id = said.trim().split(';').next().unwrap_or_default();
+        let id = answer.trim().split(';').next().unwrap_or_default();
         match !id.is_empty() && id.bytes().all(|b| b.is_ascii_digit()) {
             true => Ok(id.to_owned()),
             false => Err(SlurmError::Odd {
                 command: "sbatch".into(),
-                said: said.trim().to_owned(),
+                answer: answer.trim().to_owned(),
             }),
         }
     }

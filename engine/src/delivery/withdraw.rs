@@ -1,6 +1,6 @@
 //! A folder of results taken back: what was delivered there goes, as long as nobody changed it, and nothing else.
 
-use super::{Delivery, DeliveryError, RUN, said};
+use super::{Delivery, DeliveryError, RUN, answer};
 use crate::system::{self, FileKind, nofollow};
 use serde_json::{Map, Value};
 use std::io::{self, Read};
@@ -11,13 +11,13 @@ use std::path::Path;
 pub struct Withdrawn {
     /// How many files went.
     pub removed: usize,
-    /// What still lies there: changed since, put there by somebody else, or not removable.
+    /// What still is there: changed since, put there by somebody else, or not removable.
     pub left: Vec<String>,
 }
 
 /// Whose the results in a folder are, if it holds some.
 pub fn of(folder: &Path) -> Option<String> {
-    Some(said(folder)?.get("of")?.as_str()?.to_owned())
+    Some(answer(folder)?.get("of")?.as_str()?.to_owned())
 }
 
 /// As [`of`].
@@ -85,7 +85,7 @@ fn written_halfway(root: &Path, names: &mut Vec<String>) -> usize {
     removed
 }
 
-/// What lies in a folder and below it; links are named and not entered.
+/// What is in a folder and below it; links are named and not entered.
 fn rest(root: &Path, inner: &str, left: &mut Vec<String>) {
     let mut entries: Vec<_> = std::fs::read_dir(root.join(inner))
         .into_iter()

@@ -77,7 +77,7 @@ pub(super) fn run(
     drop(lines);
     let program = task.name.to_owned();
     if let Err(mut error) = ended {
-        error.said(&tail.text());
+        error.printed(&tail.text());
         return Err(error);
     }
     let status = status.map_err(|why| ForeignError::Start {

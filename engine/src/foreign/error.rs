@@ -37,7 +37,7 @@ pub enum ForeignError {
     },
     /// It stays, and says itself that a job failed.
     #[error("`{program}` failed: {why}{tail}")]
-    Told {
+    Reported {
         /// The program.
         program: String,
         /// What it says.
@@ -179,10 +179,10 @@ pub enum ForeignError {
 
 impl ForeignError {
     /// Puts what the program said last behind the message.
-    pub(super) fn said(&mut self, last: &str) {
+    pub(super) fn printed(&mut self, last: &str) {
         match self {
             ForeignError::Failed { tail, .. }
-            | ForeignError::Told { tail, .. }
+            | ForeignError::Reported { tail, .. }
             | ForeignError::Timeout { tail, .. }
             | ForeignError::Memory { tail, .. }
             | ForeignError::TooMuch { tail, .. }

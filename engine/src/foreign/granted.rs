@@ -29,16 +29,16 @@ impl Program {
         });
         let content = |path: &String| {
             program.identities.get(stage::hash(path.as_bytes()), || {
-                let told = |why| format!("`reads`: {path}: {why}");
+                let reported = |why| format!("`reads`: {path}: {why}");
                 // The cache is in nobody's key, and nobody's to see.
                 match folder.starts_with(
                     Path::new(path)
                         .canonicalize()
-                        .map_err(|why| told(why.to_string()))?,
+                        .map_err(|why| reported(why.to_string()))?,
                 ) {
-                    true => Err(told("holds the cache: name what is read of it".into())),
+                    true => Err(reported("holds the cache: name what is read of it".into())),
                     false => Ok(reads::content(path)
-                        .map_err(|why| told(why.to_string()))?
+                        .map_err(|why| reported(why.to_string()))?
                         .to_hex()
                         .to_string()),
                 }

@@ -1,4 +1,4 @@
-//! Programs as they are installed: where one lies, and what belongs to it.
+//! Programs as they are installed: where one is, and what belongs to it.
 
 use crate::system::can_start;
 use std::ffi::OsStr;
@@ -65,7 +65,7 @@ pub(super) struct Installed {
 }
 
 impl Installed {
-    /// Without what lies in a folder, which is shown already.
+    /// Without what is in a folder, which is shown already.
     pub(super) fn without(mut self, folder: &Path) -> Installed {
         self.paths.retain(|path| !path.starts_with(folder));
         self.links.retain(|(path, _)| !path.starts_with(folder));
@@ -200,7 +200,7 @@ mod tests {
             on_path(&path.unwrap(), &hidden),
             [at("env"), at("work/bin")]
         );
-        // Beside the cache lie captures.
+        // Beside the cache are captures.
         std::fs::write(at("work/bin/tool"), "#!/bin/sh\n").unwrap();
         assert_eq!(
             needed(&at("work/bin/tool"), &hidden).paths,

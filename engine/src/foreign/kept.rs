@@ -134,13 +134,13 @@ impl Kept {
     ) -> Result<Tail, ForeignError> {
         let mut tail = Tail::default();
         let done = self.answered(task, stop, heard, &mut tail);
-        if !matches!(done, Ok(()) | Err(ForeignError::Told { .. })) {
+        if !matches!(done, Ok(()) | Err(ForeignError::Reported { .. })) {
             self.at_work = None;
         }
         match done {
             Ok(()) => Ok(tail),
             Err(mut error) => {
-                error.said(&tail.text());
+                error.printed(&tail.text());
                 Err(error)
             }
         }
@@ -164,7 +164,7 @@ impl Kept {
         };
         let mut line = serde_json::to_string(&task.words[1..]).expect("bug: JSON");
         line.push('\n');
-        // Who has ended is told by how he ended.
+        // Who has ended is estimated by how he ended.
         let _ = at_work.words.send(line);
         let answer = at_work.heard(&limits, &mut |line| {
             let answer = answer(line);
@@ -182,7 +182,7 @@ impl Kept {
                 who: stayed,
                 tail: String::new(),
             }),
-            (Err(why), _) => Err(ForeignError::Told {
+            (Err(why), _) => Err(ForeignError::Reported {
                 program: task.name.into(),
                 why,
                 tail: String::new(),

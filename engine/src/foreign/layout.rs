@@ -29,7 +29,7 @@ pub(super) struct Layout {
 pub(super) struct Job {
     layout: Arc<Layout>,
     number: String,
-    /// Where results lie, whatever is called so by now.
+    /// Where results are, whatever is called so by now.
     results: Folder,
 }
 
@@ -101,7 +101,7 @@ impl Layout {
 }
 
 impl Layout {
-    /// The folder that all programs' folders lie in, and its name there.
+    /// The folder that all programs' folders are in, and its name there.
     fn named(&self) -> Option<(&Path, Cow<'_, str>)> {
         let name = self.root.file_name()?;
         Some((self.root.parent()?, name.to_string_lossy()))
@@ -136,7 +136,7 @@ impl Job {
         &self.layout.root
     }
 
-    /// Where the program sees what lies in its folder.
+    /// Where the program sees what is in its folder.
     pub(super) fn shown(&self, path: &Path) -> PathBuf {
         sandbox::shown(&self.layout.root, path)
     }
@@ -155,7 +155,7 @@ impl Job {
         self.read().join("in")
     }
 
-    /// Where results lie.
+    /// Where results are.
     pub(super) fn results(&self) -> PathBuf {
         self.layout.root.join(WRITE).join(&self.number).join(OUT)
     }
@@ -165,7 +165,7 @@ impl Job {
         &self.results
     }
 
-    /// Whether results still lie where they should.
+    /// Whether results still are where they should.
     pub(super) fn in_place(&self) -> bool {
         let there = nofollow::folder(&self.layout.root, &[WRITE, &self.number, OUT]);
         there.is_ok_and(|there| nofollow::same(&there, &self.results))

@@ -17,7 +17,7 @@ use std::time::Duration;
 pub struct Script {
     /// Its name beside the pipeline.
     pub name: String,
-    /// Where it lies; no part of any key.
+    /// Where it is; no part of any key.
     pub path: PathBuf,
     /// The hash of its bytes.
     pub content: Hash,
@@ -177,7 +177,7 @@ impl Program {
     }
 
     /// A param as it stands in a command: texts without quotes, lists and tables as JSON.
-    pub(super) fn said(&self, name: &str) -> String {
+    pub(super) fn output(&self, name: &str) -> String {
         let value = self.with.iter().find(|(n, _)| n == name);
         match value.map(|(_, value)| value) {
             Some(Value::Text(text)) => text.clone(),

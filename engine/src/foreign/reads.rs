@@ -9,7 +9,7 @@ use std::path::Path;
 /// What is read at most for a key: as much as a result may be. \[bytes, files\]
 const MOST: (u64, usize) = (4 << 30, 100_000);
 
-/// What lies at a path: a line for each file, folder and link, in the order of their names.
+/// What is at a path: a line for each file, folder and link, in the order of their names.
 fn lines(
     path: &str,
     of: &mut dyn FnMut(&Met, Option<std::fs::File>) -> Result<String>,
@@ -48,22 +48,22 @@ fn lines(
     }
     met.sort_by(|a, b| a.path.cmp(&b.path));
     let one = |met: &Met| {
-        let told = |why: Error| Error::new(why.kind(), format!("{}: {why}", met.path));
+        let reported = |why: Error| Error::new(why.kind(), format!("{}: {why}", met.path));
         let file = match (met.link, met.kind) {
             (false, Some(FileKind::File)) => {
-                Some(nofollow::open_file(&at, &met.path).map_err(told)?)
+                Some(nofollow::open_file(&at, &met.path).map_err(reported)?)
             }
-            (false, None) => return Err(told(Error::other("is a device, a pipe or a socket"))),
+            (false, None) => return Err(reported(Error::other("is a device, a pipe or a socket"))),
             _ => None,
         };
         // A file alone has the same key whatever it is called.
         let called = if name.is_some() { "" } else { &met.path };
         let what = match met.link {
             true => std::fs::read_link(above.join(&met.path))
-                .map_err(told)?
+                .map_err(reported)?
                 .to_string_lossy()
                 .into_owned(),
-            false => of(met, file).map_err(told)?,
+            false => of(met, file).map_err(reported)?,
         };
         Ok(format!("{called:?} {what}\n"))
     };

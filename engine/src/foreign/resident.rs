@@ -43,8 +43,8 @@ pub(super) struct Limits<'a> {
 
 /// What a line of the program says of its job: done, or why it failed.
 pub(super) fn answer(line: &Line) -> Option<Result<(), String>> {
-    let said = object(line)?;
-    match (said.get("done"), said.get("failed")) {
+    let printed = object(line)?;
+    match (printed.get("done"), printed.get("failed")) {
         (Some(Value::Bool(true)), _) => Some(Ok(())),
         (_, Some(Value::String(why))) => Some(Err(why.clone())),
         _ => None,
@@ -60,10 +60,10 @@ fn object(line: &Line) -> Option<Value> {
 /// Starts a program on a thread of its own, which lives as long as the other end of what it waits for: in the
 /// sandbox a program ends with the thread that started it.
 fn spawned(mut command: Command) -> std::io::Result<(Sender<()>, Child)> {
-    let (told, hears) = channel();
+    let (reported, hears) = channel();
     let (starter, waits) = channel::<()>();
     std::thread::Builder::new().spawn(move || {
-        let _ = told.send(command.spawn());
+        let _ = reported.send(command.spawn());
         let _ = waits.recv();
     })?;
     let child = hears.recv().map_err(std::io::Error::other)??;
@@ -71,7 +71,7 @@ fn spawned(mut command: Command) -> std::io::Result<(Sender<()>, Child)> {
 }
 
 /// Tells a program lines; who has ended is told nothing.
-fn told(mut to: ChildStdin) -> std::io::Result<SyncSender<String>> {
+fn reported(mut to: ChildStdin) -> std::io::Result<SyncSender<String>> {
     let (words, lines) = sync_channel::<String>(1);
     std::thread::Builder::new().spawn(move || {
         while let Ok(line) = lines.recv() {
@@ -97,7 +97,7 @@ impl AtWork {
             why,
         })?;
         let _running = Running::new(child.id(), task.root);
-        let words = told(child.stdin.take().expect("bug: no standard input"));
+        let words = reported(child.stdin.take().expect("bug: no standard input"));
         let heard = words.and_then(|words| Ok((words, child::listened(&mut child)?)));
         let (words, lines) = heard.map_err(|why| child::unheard(task, &mut child, why))?;
         let mut at_work = AtWork {
@@ -109,7 +109,7 @@ impl AtWork {
             _starter,
         };
         at_work.heard(limits, &mut |line| {
-            let ready = object(line).is_some_and(|said| said.get("ready").is_some());
+            let ready = object(line).is_some_and(|printed| printed.get("ready").is_some());
             if !ready {
                 tail.push(&line.text);
             }

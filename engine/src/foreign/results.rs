@@ -62,7 +62,7 @@ fn strange(program: &str, name: &str, what: &'static str) -> ForeignError {
     }
 }
 
-/// Names and sizes of what lies there, if all of it may be taken; nothing is read yet.
+/// Names and sizes of what is there, if all of it may be taken; nothing is read yet.
 fn listed(
     program: &str,
     job: &Job,

@@ -102,7 +102,7 @@ fn filled(
 ) -> Vec<String> {
     let of = |piece: &Piece| match piece {
         Piece::Here => word(&job.shown(&job.here())),
-        Piece::With(name) => program.said(name),
+        Piece::With(name) => program.output(name),
         other => place(other),
     };
     words.iter().map(|word| word.filled(&of)).collect()

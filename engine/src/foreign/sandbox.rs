@@ -57,7 +57,7 @@ pub(super) fn boxed() -> bool {
     matches!(sandbox(), Sandbox::Bubblewrap(_))
 }
 
-/// Where a program sees what lies in its folder `root`.
+/// Where a program sees what is in its folder `root`.
 pub(super) fn shown(root: &Path, path: &Path) -> PathBuf {
     match path.strip_prefix(root) {
         Ok(inner) if boxed() => Path::new(INSIDE).join(inner),
@@ -65,7 +65,7 @@ pub(super) fn shown(root: &Path, path: &Path) -> PathBuf {
     }
 }
 
-/// Where on this machine lies what a program sees at a path.
+/// Where on this machine is what a program sees at a path.
 pub(super) fn hosted(root: &Path, path: &Path) -> PathBuf {
     match path.strip_prefix(INSIDE) {
         Ok(inner) if boxed() => root.join(inner),
@@ -142,13 +142,13 @@ fn tried(bubblewrap: &Path, locked: bool) -> Result<(), String> {
     }
 }
 
-fn said(words: &[&str]) -> Vec<OsString> {
+fn printed(words: &[&str]) -> Vec<OsString> {
     words.iter().map(OsString::from).collect()
 }
 
 /// Namespaces, capabilities, session.
 fn apart(locked: bool, network: bool) -> Vec<OsString> {
-    let mut words = said(&[
+    let mut words = printed(&[
         "--unshare-user",
         "--unshare-pid",
         "--unshare-ipc",
@@ -176,13 +176,13 @@ fn system() -> Vec<OsString> {
     for folder in SYSTEM {
         match std::fs::read_link(folder) {
             Ok(target) => words.extend(["--symlink".into(), target.into(), folder.into()]),
-            Err(_) => words.extend(said(&["--ro-bind-try", folder, folder])),
+            Err(_) => words.extend(printed(&["--ro-bind-try", folder, folder])),
         }
     }
     for file in ETC_FILES {
-        words.extend(said(&["--ro-bind-try", file, file]));
+        words.extend(printed(&["--ro-bind-try", file, file]));
     }
-    words.extend(said(&[
+    words.extend(printed(&[
         "--proc",
         "/proc",
         "--remount-ro",
@@ -190,7 +190,7 @@ fn system() -> Vec<OsString> {
         "--dev",
         "/dev",
     ]));
-    words.extend(said(&["--dir", "/run", "--dir", "/var/tmp"]));
+    words.extend(printed(&["--dir", "/run", "--dir", "/var/tmp"]));
     words
 }
 
@@ -250,6 +250,12 @@ pub(super) fn words(bubblewrap: &Path, root: &Path, view: &View<'_>) -> Vec<OsSt
         "--chdir".into(),
         Path::new(INSIDE).join(WORK).into_os_string(),
     ]);
-    words.extend(said(&["--remount-ro", "/dev", "--remount-ro", "/", "--"]));
+    words.extend(printed(&[
+        "--remount-ro",
+        "/dev",
+        "--remount-ro",
+        "/",
+        "--",
+    ]));
     words
 }

@@ -148,13 +148,14 @@ impl Program {
             None => false,
         };
         let tail = run::command(self, job, &place, kept, &stop, &mut heard)?;
-        let told = |mut error: ForeignError| {
-            error.said(&tail.text());
+        let reported = |mut error: ForeignError| {
+            error.printed(&tail.text());
             error
         };
         let name = self.name();
-        let files = results::collected(&name, job, self.importer, MOST, self.keep).map_err(told)?;
-        let made = self.imported(files, inputs, ctx).map_err(told)?;
+        let files =
+            results::collected(&name, job, self.importer, MOST, self.keep).map_err(reported)?;
+        let made = self.imported(files, inputs, ctx).map_err(reported)?;
         self.same_identity(&grant.folder, &stop)?;
         grant.same_reads(&self.reads)?;
         Ok(made)

@@ -135,12 +135,12 @@ mod tests {
     #[test]
     fn what_is_none_is_told() {
         for word in ["{", "a}", "{out", "{out} }"] {
-            let told = Template::read(word).unwrap_err();
-            assert_eq!(told, TemplateError::Open(word.into()));
+            let reported = Template::read(word).unwrap_err();
+            assert_eq!(reported, TemplateError::Open(word.into()));
         }
         for word in ["", "from", "from.", "with.", "outs", "a.b"] {
-            let told = Template::read(&format!("x{{{word}}}")).unwrap_err();
-            assert_eq!(told, TemplateError::Unknown(word.into()));
+            let reported = Template::read(&format!("x{{{word}}}")).unwrap_err();
+            assert_eq!(reported, TemplateError::Unknown(word.into()));
         }
     }
 

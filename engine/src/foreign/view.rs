@@ -11,7 +11,7 @@ pub(super) const ETC_FILES: [&str; 4] = [
     "/etc/ld.so.conf.d",
     "/etc/alternatives",
 ];
-/// Files without which nobody reaches a network; certificates, and not the keys that lie beside them.
+/// Files without which nobody reaches a network; certificates, and not the keys that are beside them.
 pub(super) const ETC_NETWORK: [&str; 12] = [
     "/etc/resolv.conf",
     "/etc/hosts",

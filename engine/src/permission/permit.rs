@@ -96,7 +96,7 @@ pub fn allow(graph: &Graph, nodes: &[usize]) -> Result<(), PermitError> {
             continue;
         }
         let (state, name) = place(program).ok_or(PermitError::Nowhere)?;
-        let told = |why| PermitError::Folder {
+        let reported = |why| PermitError::Folder {
             path: state.join(&name).join(FOLDER),
             why,
         };
@@ -107,10 +107,10 @@ pub fn allow(graph: &Graph, nodes: &[usize]) -> Result<(), PermitError> {
             let file = program.permission().to_hex();
             nofollow::replace(&folder, file.as_str(), text.as_bytes())
         };
-        kept().map_err(told)?;
+        kept().map_err(reported)?;
         if !is_allowed(program) {
             let why = "it is not yours alone: let nobody else write there (chmod 700)";
-            return Err(told(std::io::Error::other(why)));
+            return Err(reported(std::io::Error::other(why)));
         }
     }
     Ok(())

@@ -120,7 +120,7 @@ mod tests {
                 sample(3.0, &[(1, 7.0), (2, 3.0), (9, 1.0)], 25),
             ],
         };
-        let told: Vec<_> = costs(&profile)
+        let reported: Vec<_> = costs(&profile)
             .into_iter()
             .map(|c| {
                 (
@@ -133,7 +133,7 @@ mod tests {
             })
             .collect();
         assert_eq!(
-            told,
+            reported,
             [
                 ("a".into(), None, 2.0, 3.0, 30),
                 ("a".into(), Some("loop".into()), 1.0, 2.0, 30),

@@ -22,7 +22,7 @@ pub(crate) struct Sample {
 #[derive(Default)]
 pub(crate) struct Sampler {
     over: Mutex<bool>,
-    told: Condvar,
+    reported: Condvar,
 }
 
 /// Tells the sampler that the run is over, by a panic too.
@@ -33,7 +33,7 @@ impl Drop for Over<'_> {
         if let Ok(mut over) = self.0.over.lock() {
             *over = true;
         }
-        self.0.told.notify_all();
+        self.0.reported.notify_all();
     }
 }
 
@@ -69,7 +69,11 @@ impl Sampler {
                 return samples;
             }
             let wait = Duration::from_millis(EVERY_MS);
-            over = self.told.wait_timeout(over, wait).expect("bug: poisoned").0;
+            over = self
+                .reported
+                .wait_timeout(over, wait)
+                .expect("bug: poisoned")
+                .0;
         }
     }
 }

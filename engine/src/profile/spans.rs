@@ -92,12 +92,12 @@ mod tests {
         spans.begin("b", None, 3.5);
         spans.end("a", 4.0);
         let all = spans.ended(5.0);
-        let told: Vec<_> = all
+        let reported: Vec<_> = all
             .iter()
             .map(|s| (s.node.as_str(), s.label.as_deref(), s.from, s.to))
             .collect();
         assert_eq!(
-            told,
+            reported,
             [
                 ("a", None, 1.0, 4.0),
                 ("a", Some("photos"), 1.5, 2.5),

@@ -39,7 +39,7 @@ pub fn trace(profile: &Profile) -> Value {
     json!({ "displayTimeUnit": "ms", "traceEvents": events })
 }
 
-/// A lane for each span: nodes that run at once lie beside each other, loops with their node.
+/// A lane for each span: nodes that run at once are beside each other, loops with their node.
 fn lanes(spans: &[Span]) -> Vec<usize> {
     let mut ends: Vec<f64> = Vec::new();
     let mut of: Vec<(&str, usize)> = Vec::new();
@@ -91,8 +91,8 @@ mod tests {
             resident: 5_000_000,
         };
         let samples = vec![sample(0.0), sample(0.5)];
-        let told = trace(&Profile { spans, samples });
-        let events = told["traceEvents"].as_array().unwrap();
+        let reported = trace(&Profile { spans, samples });
+        let events = reported["traceEvents"].as_array().unwrap();
         let kind = |ph: &str| events.iter().filter(|e| e["ph"] == ph).count();
         assert_eq!((kind("X"), kind("C")), (4, 3));
         assert_eq!(events[0]["dur"], 2e6);

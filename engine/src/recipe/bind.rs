@@ -70,16 +70,16 @@ impl<'a> Binder<'a> {
         let Known { stage, ports, .. } = known;
         let mut from: Vec<Option<Source>> = vec![None; ports.len()];
         let before = self.mistakes.len();
-        for (port, said) in self.wires(node, ports, stages) {
-            let Some(source) = self.source(said) else {
+        for (port, spanned) in self.wires(node, ports, stages) {
+            let Some(source) = self.source(spanned) else {
                 continue;
             };
             let kind = self.kind(source, stages);
             let spec = &ports[port];
             if kind.is_some_and(|kind| kind != spec.kind) {
-                let (what, kind) = (&said.value, kind.unwrap_or_default());
+                let (what, kind) = (&spanned.value, kind.unwrap_or_default());
                 self.mistakes.push(Mistake::at(
-                    &said.span,
+                    &spanned.span,
                     format!(
                         "port `{}` wants {}, but `{what}` makes {kind}",
                         spec.name, spec.kind
@@ -127,14 +127,14 @@ impl<'a> Binder<'a> {
             self.mistakes.push(Mistake::at(&(0..0), what));
         }
         let mut goal = Vec::new();
-        for said in &self.recipe.goal {
-            match self.places.get(said.value.as_str()) {
+        for spanned in &self.recipe.goal {
+            match self.places.get(spanned.value.as_str()) {
                 Some(Source::Node(i)) => goal.push(*i),
                 _ => {
                     let nodes = self.recipe.nodes.iter();
                     let names: Vec<&str> = nodes.map(|n| n.name.value.as_str()).collect();
-                    let what = unknown("node", &said.value, &names);
-                    self.mistakes.push(Mistake::at(&said.span, what));
+                    let what = unknown("node", &spanned.value, &names);
+                    self.mistakes.push(Mistake::at(&spanned.span, what));
                 }
             }
         }

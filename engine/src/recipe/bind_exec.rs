@@ -2,7 +2,7 @@
 
 use super::binder::{Binder, Known, importer_of};
 use super::mistake::Mistake;
-use super::written::{From, Node, Said};
+use super::written::{From, Node, Spanned};
 use crate::foreign::{Granted, Piece, Program, Script, Template};
 use crate::graph::{Bound, Source};
 use crate::pattern::stays_inside;
@@ -16,7 +16,7 @@ use std::time::Duration;
 /// What a file of a node's may be at most: as much as a result. \[bytes\]
 const LARGEST_SCRIPT_BYTES: u64 = 4 << 30;
 
-/// A file that lies beside a pipeline; what a link brings there from elsewhere nobody would see who looks at it.
+/// A file that is beside a pipeline; what a link brings there from elsewhere nobody would see who looks at it.
 fn script(beside: &Path, path: &Path) -> std::io::Result<Vec<u8>> {
     let outside = || {
         let above = match beside.as_os_str().is_empty() {
@@ -50,8 +50,8 @@ fn name(text: &str) -> &'static str {
 }
 
 impl<'a> Binder<'a> {
-    pub(super) fn wrong_at(&mut self, said: &Said<String>, what: impl Into<String>) {
-        self.mistakes.push(Mistake::at(&said.span, what));
+    pub(super) fn wrong_at(&mut self, spanned: &Spanned<String>, what: impl Into<String>) {
+        self.mistakes.push(Mistake::at(&spanned.span, what));
     }
 
     /// The importer as the node's stage.
@@ -103,16 +103,16 @@ impl<'a> Binder<'a> {
             return None;
         }
         let identity = self.words(node, node.exec.identity.as_deref());
-        let said = node.exec.command.as_deref().unwrap_or_default();
-        self.placed(node, said, &command, &ports);
-        self.started(said, &command);
+        let spanned = node.exec.command.as_deref().unwrap_or_default();
+        self.placed(node, spanned, &command, &ports);
+        self.started(spanned, &command);
         let printed = node.exec.identity.as_deref().unwrap_or_default();
         self.started(printed, &identity);
         self.plain(printed, &identity);
         let own = |word: &Template| word.pieces.iter().all(|p| matches!(p, Piece::Text(_)));
         if node.exec.keep == Some(true) && !own(&command[0]) {
             let what = "a program that is kept is one that is installed: name it without braces";
-            self.wrong_at(&said[0], what);
+            self.wrong_at(&spanned[0], what);
         }
         self.unread(node, importer, &command, &ports);
         let files = self.files(node);
@@ -121,7 +121,7 @@ impl<'a> Binder<'a> {
         if self.mistakes.len() > before || from.iter().any(Option::is_none) {
             return None;
         }
-        let entry = |(k, v): &(Said<String>, Said<Value>)| (k.value.clone(), v.value.clone());
+        let entry = |(k, v): &(Spanned<String>, Spanned<Value>)| (k.value.clone(), v.value.clone());
         let mut with: Vec<(String, Value)> = node.with.iter().map(entry).collect();
         with.sort_by(|a, b| a.0.cmp(&b.0));
         let values = with.iter().map(|(k, v)| (name(k), v.clone())).collect();
@@ -159,7 +159,7 @@ impl<'a> Binder<'a> {
         node: &'a Node,
         stages: &[Option<Known>],
     ) -> (Vec<PortSpec>, Vec<Option<Source>>) {
-        let mut pairs: Vec<(&Said<String>, &str, &Said<String>)> = match &node.from {
+        let mut pairs: Vec<(&Spanned<String>, &str, &Spanned<String>)> = match &node.from {
             From::Table(table) => {
                 let pairs = table.iter();
                 pairs
@@ -167,20 +167,20 @@ impl<'a> Binder<'a> {
                     .collect()
             }
             From::List(list) => {
-                let own = |s: &'a Said<String>| (s, s.value.trim_start_matches('@'), s);
+                let own = |s: &'a Spanned<String>| (s, s.value.trim_start_matches('@'), s);
                 list.iter().map(own).collect()
             }
         };
         pairs.sort_by_key(|(_, port, _)| *port);
         let (mut ports, mut from) = (Vec::<PortSpec>::new(), Vec::new());
-        for (said, port, source) in pairs {
+        for (spanned, port, source) in pairs {
             let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
             if port.is_empty() || !port.bytes().all(plain) {
                 let what = format!("`{port}` is no name: use letters, digits, `_` and `-`");
-                self.wrong_at(said, what);
+                self.wrong_at(spanned, what);
             }
             if ports.iter().any(|p| p.name == port) {
-                self.wrong_at(said, format!("`{port}` is read twice"));
+                self.wrong_at(spanned, format!("`{port}` is read twice"));
                 continue;
             }
             let at = self.source(source);
@@ -196,9 +196,9 @@ impl<'a> Binder<'a> {
         (ports, from)
     }
 
-    fn words(&mut self, _: &Node, said: Option<&[Said<String>]>) -> Vec<Template> {
+    fn words(&mut self, _: &Node, spanned: Option<&[Spanned<String>]>) -> Vec<Template> {
         let mut words = Vec::new();
-        for word in said.unwrap_or_default() {
+        for word in spanned.unwrap_or_default() {
             match Template::read(&word.value) {
                 Ok(template) => words.push(template),
                 Err(why) => self.wrong_at(word, why.to_string()),
@@ -210,21 +210,22 @@ impl<'a> Binder<'a> {
     /// The node's own files, by their content.
     fn files(&mut self, node: &Node) -> Vec<Script> {
         let mut files = Vec::<Script>::new();
-        for said in node.exec.files.iter().flatten() {
-            let odd = said.value.contains(['*', '{']) || said.value.contains(char::is_control);
-            if !stays_inside(&said.value) || said.value.is_empty() || odd {
+        for spanned in node.exec.files.iter().flatten() {
+            let odd =
+                spanned.value.contains(['*', '{']) || spanned.value.contains(char::is_control);
+            if !stays_inside(&spanned.value) || spanned.value.is_empty() || odd {
                 let what = "a file is named by its path from the pipeline: no `..`, no `/` in front, no pattern";
-                self.wrong_at(said, what);
+                self.wrong_at(spanned, what);
                 continue;
             }
-            let path = (self.beside.folder)(said).join(&said.value);
-            match script(&(self.beside.folder)(said), &path) {
+            let path = (self.beside.folder)(spanned).join(&spanned.value);
+            match script(&(self.beside.folder)(spanned), &path) {
                 Ok(bytes) => files.push(Script {
-                    name: said.value.clone(),
+                    name: spanned.value.clone(),
                     path,
                     content: stage::hash(&bytes),
                 }),
-                Err(why) => self.wrong_at(said, format!("{}: {why}", path.display())),
+                Err(why) => self.wrong_at(spanned, format!("{}: {why}", path.display())),
             }
         }
         files.sort_by(|a, b| a.name.cmp(&b.name));
@@ -235,14 +236,14 @@ impl<'a> Binder<'a> {
     /// Files and folders by their whole paths.
     fn reads(&mut self, node: &Node) -> Vec<String> {
         let mut paths = Vec::new();
-        for said in node.exec.reads.iter().flatten() {
-            let path = Path::new(&said.value);
+        for spanned in node.exec.reads.iter().flatten() {
+            let path = Path::new(&spanned.value);
             let up = path.components().any(|part| part == Component::ParentDir);
-            let odd = said.value.contains(char::is_control);
+            let odd = spanned.value.contains(char::is_control);
             match path.is_absolute() && !up && !odd && path.parent().is_some() {
-                true => paths.push(said.value.clone()),
+                true => paths.push(spanned.value.clone()),
                 false => self.wrong_at(
-                    said,
+                    spanned,
                     "what is read besides is named by its whole path, without `..`",
                 ),
             }
@@ -254,11 +255,11 @@ impl<'a> Binder<'a> {
 
     fn variables(&mut self, node: &Node) -> Vec<String> {
         let mut names = Vec::new();
-        for said in node.exec.env.iter().flatten() {
+        for spanned in node.exec.env.iter().flatten() {
             let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_';
-            match !said.value.is_empty() && said.value.bytes().all(plain) {
-                true => names.push(said.value.clone()),
-                false => self.wrong_at(said, "a variable is called by letters, digits and `_`; its value comes from the environment"),
+            match !spanned.value.is_empty() && spanned.value.bytes().all(plain) {
+                true => names.push(spanned.value.clone()),
+                false => self.wrong_at(spanned, "a variable is called by letters, digits and `_`; its value comes from the environment"),
             }
         }
         names.sort_unstable();

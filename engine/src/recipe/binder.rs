@@ -1,7 +1,7 @@
 //! A recipe on its way to a graph.
 
 use super::mistake::Mistake;
-use super::written::{Node, Recipe, Said};
+use super::written::{Node, Recipe, Spanned};
 use crate::foreign::{EXEC, Identities};
 use crate::graph::Source;
 use crate::kind::{Catalog, Importer};
@@ -10,10 +10,10 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What lies around a pipeline: for programs and their files.
+/// What is around a pipeline: for programs and their files.
 pub struct Beside<'a> {
     /// The folder of the file in which something is written.
-    pub folder: &'a dyn Fn(&Said<String>) -> PathBuf,
+    pub folder: &'a dyn Fn(&Spanned<String>) -> PathBuf,
     /// Identities that were read for it already.
     pub identities: Arc<Identities>,
 }

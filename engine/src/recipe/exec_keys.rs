@@ -2,7 +2,7 @@
 
 use super::read::Reader;
 use super::tree::{Item, Key, Spot};
-use super::written::{Exec, Said};
+use super::written::{Exec, Spanned};
 
 impl Reader {
     /// Takes a key of a program; whether it is one.
@@ -20,23 +20,23 @@ impl Reader {
             "keep" => exec.keep = self.switch(value, "`keep`").or(exec.keep),
             _ => return false,
         }
-        exec.key.get_or_insert_with(|| key.said());
+        exec.key.get_or_insert_with(|| key.spanned());
         true
     }
 
     fn switch(&mut self, value: &Spot<'_>, what: &str) -> Option<bool> {
-        let said = match value.item {
-            Item::Bool(said) => Some(said),
+        let spanned = match value.item {
+            Item::Bool(spanned) => Some(spanned),
             _ => None,
         };
-        if said.is_none() {
+        if spanned.is_none() {
             self.wrong(&value.span, format!("{what} must be true or false"));
         }
-        said
+        spanned
     }
 
     /// A number above nothing.
-    fn limit(&mut self, value: &Spot<'_>, what: &str) -> Option<Said<f64>> {
+    fn limit(&mut self, value: &Spot<'_>, what: &str) -> Option<Spanned<f64>> {
         let number = match value.item {
             Item::Int(i) => Some(i as f64),
             Item::Float(x) => Some(x),
@@ -48,7 +48,7 @@ impl Reader {
             self.wrong(&value.span, what);
         }
         let span = value.span.clone();
-        number.map(|value| Said { value, span })
+        number.map(|value| Spanned { value, span })
     }
 }
 

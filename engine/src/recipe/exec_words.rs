@@ -1,21 +1,21 @@
 //! Whether the words of a command mean something: its program, its places, what it reads.
 
 use super::binder::Binder;
-use super::written::{Node, Said};
+use super::written::{Node, Spanned};
 use crate::foreign::{Piece, Template, laid_out};
 use crate::kind::Importer;
 use stage::{Artifact, Files, PortSpec, unknown};
 
 impl Binder<'_> {
     /// Whether a command starts with a program that stands there, and not with what may change.
-    pub(super) fn started(&mut self, said: &[Said<String>], words: &[Template]) {
-        let (Some(said), Some(first)) = (said.first(), words.first()) else {
+    pub(super) fn started(&mut self, spanned: &[Spanned<String>], words: &[Template]) {
+        let (Some(spanned), Some(first)) = (spanned.first(), words.first()) else {
             return;
         };
         let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Here);
         if first.written.is_empty() || !first.pieces.iter().all(fixed) {
             let what = "the program itself is in the command: a name in PATH, a whole path, or {here}/NAME";
-            self.wrong_at(said, what);
+            self.wrong_at(spanned, what);
         } else if let Piece::Text(text) = &first.pieces[0]
             && text.contains('/')
             && !text.starts_with('/')
@@ -23,16 +23,16 @@ impl Binder<'_> {
             let what = format!(
                 "the program works in a folder of its own: write {{here}}/{text} and name it in `files`, or give the whole path"
             );
-            self.wrong_at(said, what);
+            self.wrong_at(spanned, what);
         }
     }
 
     /// An identity reads nothing and has no params.
-    pub(super) fn plain(&mut self, said: &[Said<String>], words: &[Template]) {
+    pub(super) fn plain(&mut self, spanned: &[Spanned<String>], words: &[Template]) {
         let fits = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Here);
-        for (said, word) in said.iter().zip(words) {
+        for (spanned, word) in spanned.iter().zip(words) {
             if !word.pieces.iter().all(fits) {
-                self.wrong_at(said, "an identity has no placeholder but {here}");
+                self.wrong_at(spanned, "an identity has no placeholder but {here}");
             }
         }
     }
@@ -41,40 +41,40 @@ impl Binder<'_> {
     pub(super) fn placed(
         &mut self,
         node: &Node,
-        said: &[Said<String>],
+        spanned: &[Spanned<String>],
         words: &[Template],
         ports: &[PortSpec],
     ) {
         let names: Vec<&str> = ports.iter().map(|p| p.name).collect();
         let params: Vec<&str> = node.with.iter().map(|(k, _)| k.value.as_str()).collect();
         let mut out = false;
-        for (said, piece) in said
+        for (spanned, piece) in spanned
             .iter()
             .zip(words)
             .flat_map(|(s, w)| w.pieces.iter().map(move |p| (s, p)))
         {
             match piece {
                 Piece::From(port, format) => match ports.iter().find(|p| p.name == port) {
-                    None => self.wrong_at(said, unknown("port", port, &names)),
+                    None => self.wrong_at(spanned, unknown("port", port, &names)),
                     Some(PortSpec {
                         kind: "nothing", ..
                     }) => {}
                     Some(spec) => {
                         if let Err(what) = laid_out(self.catalog, spec.kind, format.as_deref()) {
-                            self.wrong_at(said, format!("`{port}`: {what}"));
+                            self.wrong_at(spanned, format!("`{port}`: {what}"));
                         }
                     }
                 },
                 Piece::With(param) if !params.contains(&param.as_str()) => {
-                    self.wrong_at(said, unknown("param", param, &params));
+                    self.wrong_at(spanned, unknown("param", param, &params));
                 }
                 Piece::Out => out = true,
                 _ => {}
             }
         }
-        if !out && said.len() == words.len() {
+        if !out && spanned.len() == words.len() {
             self.wrong_at(
-                &said[0],
+                &spanned[0],
                 "the command does not name the place of the result: write {out}",
             );
         }

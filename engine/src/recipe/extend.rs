@@ -3,7 +3,7 @@
 use super::mistake::Mistake;
 use super::shared::references;
 use super::variant::leave_out;
-use super::written::{From, Node, Recipe, Said, Section, Sweep, Variant, With};
+use super::written::{From, Node, Recipe, Section, Spanned, Sweep, Variant, With};
 use crate::graph::SHARED;
 use stage::unknown;
 use std::collections::HashSet;
@@ -67,7 +67,7 @@ fn forget(recipe: &mut Recipe, node: &str) {
         variant.from.retain(|(n, _)| n.value != node);
     }
     let asks = |s: &Sweep| {
-        let of_node = |t: &Said<String>| t.value.split('.').next() == Some(node);
+        let of_node = |t: &Spanned<String>| t.value.split('.').next() == Some(node);
         s.over.iter().any(|(n, ..)| n.value == node) || s.tell.iter().any(of_node)
     };
     recipe.sweeps.retain(|s| !asks(s));
@@ -75,7 +75,7 @@ fn forget(recipe: &mut Recipe, node: &str) {
 }
 
 /// Puts entries over those of the same name, or behind all.
-fn put<T>(under: &mut Vec<T>, over: Vec<T>, name: impl Fn(&T) -> &Said<String>) {
+fn put<T>(under: &mut Vec<T>, over: Vec<T>, name: impl Fn(&T) -> &Spanned<String>) {
     for entry in over {
         let same = under
             .iter()
@@ -95,7 +95,7 @@ fn change(node: &mut Node, over: Node) {
         (From::Table(under), From::Table(over)) => put(under, over, |(port, _)| port),
         // In a list each port is called like what it reads.
         (From::List(under), From::Table(over)) => {
-            let own = |s: &Said<String>| {
+            let own = |s: &Spanned<String>| {
                 let mut port = s.clone();
                 port.value = port.value.trim_start_matches('@').to_owned();
                 (port, s.clone())
@@ -112,7 +112,7 @@ fn change(node: &mut Node, over: Node) {
 
 /// Without what was inherited (`own` tells what was not) and the goal does not need: nodes, inputs,
 /// shared params, and what variants and sweeps say of them.
-pub(super) fn trimmed(recipe: &mut Recipe, own: &dyn Fn(&Said<String>) -> bool) {
+pub(super) fn trimmed(recipe: &mut Recipe, own: &dyn Fn(&Spanned<String>) -> bool) {
     let needed = needed(recipe);
     recipe
         .nodes
@@ -133,8 +133,8 @@ pub(super) fn trimmed(recipe: &mut Recipe, own: &dyn Fn(&Said<String>) -> bool) 
         for (_, with) in variant.with.iter_mut().filter(|(n, _)| n.value == SHARED) {
             with.retain(|(param, _)| params.contains(&param.value));
         }
-        let says = |n: &Said<String>, with: &With| !with.is_empty() && there(&n.value);
-        let shares = |n: &Said<String>, with: &With| !with.is_empty() && n.value == SHARED;
+        let says = |n: &Spanned<String>, with: &With| !with.is_empty() && there(&n.value);
+        let shares = |n: &Spanned<String>, with: &With| !with.is_empty() && n.value == SHARED;
         variant
             .with
             .retain(|(n, with)| says(n, with) || shares(n, with));
@@ -149,7 +149,7 @@ pub(super) fn trimmed(recipe: &mut Recipe, own: &dyn Fn(&Said<String>) -> bool) 
     let variants = recipe.variants.iter().map(|v| v.name.value.clone());
     let variants: HashSet<String> = variants.collect();
     let whole = |s: &Sweep| {
-        let varies = |(n, p, _): &(Said<String>, Said<String>, _)| match n.value == SHARED {
+        let varies = |(n, p, _): &(Spanned<String>, Spanned<String>, _)| match n.value == SHARED {
             true => read.contains(&p.value),
             false => there(&n.value),
         };

@@ -31,7 +31,7 @@ impl Mistake {
     }
 
     /// A mistake on the command line.
-    pub fn said(what: impl Into<String>) -> Self {
+    pub fn spanned(what: impl Into<String>) -> Self {
         Mistake {
             what: what.into(),
             span: None,
@@ -152,7 +152,7 @@ impl Mistakes {
 
     /// A file that cannot be read.
     pub fn unreadable(file: &str, what: String) -> Self {
-        Mistakes::new(file, "", vec![Mistake::said(format!("{file} {what}"))])
+        Mistakes::new(file, "", vec![Mistake::spanned(format!("{file} {what}"))])
     }
 
     /// For other programs.

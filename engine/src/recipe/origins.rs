@@ -1,7 +1,7 @@
 //! Where the texts of pipelines come from: files, and what the program brings along.
 
 use super::mistake::{Mistake, Mistakes, Text};
-use super::written::{Recipe, Said};
+use super::written::{Recipe, Spanned};
 use crate::kind::Catalog;
 use crate::system::{bounded, plain_file};
 use std::path::{Path, PathBuf};
@@ -75,26 +75,26 @@ impl Origins {
     /// What a text extends: a plain file beside it, else a built-in pipeline.
     pub(super) fn extended(
         &self,
-        said: &Said<String>,
+        spanned: &Spanned<String>,
         by: &Place,
         texts: &[Text],
     ) -> Result<(Place, String), Mistake> {
         let found = match by {
             Place::File(path) => {
-                let beside = path.parent().unwrap_or(Path::new("")).join(&said.value);
-                let built_in = self.built_in(&said.value);
+                let beside = path.parent().unwrap_or(Path::new("")).join(&spanned.value);
+                let built_in = self.built_in(&spanned.value);
                 let read = || self.text(&beside, plain_file(&beside, LARGEST_PIPELINE_BYTES));
                 built_in.filter(|_| !beside.is_file()).map_or_else(read, Ok)
             }
             Place::BuiltIn(_) => self
-                .built_in(&said.value)
+                .built_in(&spanned.value)
                 .ok_or_else(|| "is no built-in pipeline".to_owned()),
         };
-        let (place, text) =
-            found.map_err(|why| Mistake::at(&said.span, format!("`{}` {why}", said.value)))?;
+        let (place, text) = found
+            .map_err(|why| Mistake::at(&spanned.span, format!("`{}` {why}", spanned.value)))?;
         if texts.iter().any(|t| t.name == place.name()) {
-            let what = format!("`{}` extends this pipeline in turn", said.value);
-            return Err(Mistake::at(&said.span, what));
+            let what = format!("`{}` extends this pipeline in turn", spanned.value);
+            return Err(Mistake::at(&spanned.span, what));
         }
         Ok((place, text))
     }

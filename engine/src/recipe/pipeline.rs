@@ -8,7 +8,7 @@ use super::origins::{Origins, Place, no_toml};
 use super::read::{read_at, without_stage};
 use super::shared;
 use super::variant::{of_sets, vary};
-use super::written::{Overrides, Recipe, Said};
+use super::written::{Overrides, Recipe, Spanned};
 use crate::foreign::Identities;
 use crate::graph::{Graph, Origin};
 use crate::kind::Catalog;
@@ -154,13 +154,13 @@ impl Pipeline {
                 Err(wrong) => return Err(no_toml(layers.last(), texts, wrong)),
             };
             mistakes.extend(wrong);
-            if let Some(said) = &recipe.extends {
+            if let Some(spanned) = &recipe.extends {
                 let found = match &mut given {
-                    None => origins.extended(said, &place, &texts),
+                    None => origins.extended(spanned, &place, &texts),
                     Some(given) => given
                         .next()
                         .map(|(name, text)| (Place::File(PathBuf::from(name)), text))
-                        .ok_or_else(|| Mistake::at(&said.span, "is missing".to_owned())),
+                        .ok_or_else(|| Mistake::at(&spanned.span, "is missing".to_owned())),
                 };
                 match found {
                     Ok(base) => next = Some(base),
@@ -178,7 +178,7 @@ impl Pipeline {
         // Where what it extends was not found, only that is reported.
         if mistakes.is_empty() && extends {
             let end = texts[0].end();
-            trimmed(&mut recipe, &|said: &Said<String>| said.span.start < end);
+            trimmed(&mut recipe, &|name: &Spanned<String>| name.span.start < end);
         }
         Ok(Pipeline {
             recipe,
@@ -201,8 +201,8 @@ impl Pipeline {
     }
 
     /// The folder of the file in which something is written; where it is built in, the current one.
-    pub fn folder(&self, said: &Said<String>) -> PathBuf {
-        let file = Path::new(&text_of(&self.texts, &said.span).name);
+    pub fn folder(&self, spanned: &Spanned<String>) -> PathBuf {
+        let file = Path::new(&text_of(&self.texts, &spanned.span).name);
         file.parent().unwrap_or(Path::new(".")).to_owned()
     }
 
@@ -249,7 +249,7 @@ impl Pipeline {
             shared::resolve(varied.to_mut(), strict, &mut mistakes);
         }
         let beside = Beside {
-            folder: &|said| self.folder(said),
+            folder: &|spanned| self.folder(spanned),
             identities: self.identities.clone(),
         };
         match bind(&varied, self.catalog, strict, &beside) {

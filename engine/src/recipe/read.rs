@@ -3,7 +3,7 @@
 use super::mistake::Mistake;
 use super::toml_text::tree;
 use super::tree::{Item, Key, Spot, Table, moved};
-use super::written::{Exec, From, Input, KEYS, NODE, Node, Recipe, Said, Section, With};
+use super::written::{Exec, From, Input, KEYS, NODE, Node, Recipe, Section, Spanned, With};
 use stage::{Value, unknown};
 use std::ops::Range;
 
@@ -55,8 +55,8 @@ pub(super) struct Reader {
 
 impl Key<'_> {
     /// As it is kept.
-    pub(super) fn said(&self) -> Said<String> {
-        Said {
+    pub(super) fn spanned(&self) -> Spanned<String> {
+        Spanned {
             value: self.name.clone().into_owned(),
             span: self.span.clone(),
         }
@@ -94,7 +94,7 @@ impl Reader {
         }
     }
 
-    pub(super) fn text(&mut self, value: &Spot<'_>, what: &str) -> Said<String> {
+    pub(super) fn text(&mut self, value: &Spot<'_>, what: &str) -> Spanned<String> {
         let text = match &value.item {
             Item::Text(text) => text.clone().into_owned(),
             _ => {
@@ -102,21 +102,21 @@ impl Reader {
                 String::new()
             }
         };
-        Said {
+        Spanned {
             value: text,
             span: value.span.clone(),
         }
     }
 
     /// A text, or a list of texts.
-    pub(super) fn texts(&mut self, value: &Spot<'_>, what: &str) -> Vec<Said<String>> {
+    pub(super) fn texts(&mut self, value: &Spot<'_>, what: &str) -> Vec<Spanned<String>> {
         match &value.item {
             Item::List(list) => list.iter().map(|v| self.text(v, what)).collect(),
             _ => vec![self.text(value, what)],
         }
     }
 
-    pub(super) fn value(&mut self, value: &Spot<'_>) -> Said<Value> {
+    pub(super) fn value(&mut self, value: &Spot<'_>) -> Spanned<Value> {
         let read = match &value.item {
             Item::Bool(b) => Some(Value::Bool(*b)),
             Item::Int(i) => Some(Value::Int(*i)),
@@ -126,7 +126,7 @@ impl Reader {
                 list.iter().map(|v| self.value(v).value).collect(),
             )),
             Item::Table(table) => {
-                let entry = |(k, v): &(Key<'_>, _)| (k.said().value, self.value(v).value);
+                let entry = |(k, v): &(Key<'_>, _)| (k.spanned().value, self.value(v).value);
                 Some(Value::Table(table.iter().map(entry).collect()))
             }
             Item::Other => None,
@@ -138,7 +138,7 @@ impl Reader {
                 "a param must be a boolean, a number, a text, or a list or table of them",
             );
         }
-        Said {
+        Spanned {
             value: read.unwrap_or(Value::Bool(false)),
             span,
         }
@@ -156,35 +156,35 @@ impl Reader {
                 "input" => {
                     for (name, value) in self.table(value, "`input`") {
                         self.name(name);
-                        let input = self.input(name.said(), value);
+                        let input = self.input(name.spanned(), value);
                         recipe.inputs.push(input);
                     }
                 }
                 "node" => {
                     for (name, value) in self.table(value, "`node`") {
                         self.name(name);
-                        let node = self.node(name.said(), value);
+                        let node = self.node(name.spanned(), value);
                         recipe.nodes.push(node);
                     }
                 }
                 "variant" => {
                     for (name, value) in self.table(value, "`variant`") {
                         self.name(name);
-                        let variant = self.variant(name.said(), value);
+                        let variant = self.variant(name.spanned(), value);
                         recipe.variants.push(variant);
                     }
                 }
                 "sweep" => {
                     for (name, value) in self.table(value, "`sweep`") {
                         self.name(name);
-                        let sweep = self.sweep(name.said(), value);
+                        let sweep = self.sweep(name.spanned(), value);
                         recipe.sweeps.push(sweep);
                     }
                 }
                 "search" => {
                     for (name, value) in self.table(value, "`search`") {
                         self.name(name);
-                        let search = self.search(name.said(), value);
+                        let search = self.search(name.spanned(), value);
                         recipe.searches.extend(search);
                     }
                 }
@@ -193,8 +193,8 @@ impl Reader {
                     for (name, value) in self.table(value, "a section") {
                         self.name(name);
                         let section = Section {
-                            kind: key.said(),
-                            name: name.said(),
+                            kind: key.spanned(),
+                            name: name.spanned(),
                             keys: self.with_of(value, "an entry of a section"),
                         };
                         recipe.sections.push(section);
@@ -206,7 +206,7 @@ impl Reader {
         recipe
     }
 
-    fn input(&mut self, name: Said<String>, value: &Spot<'_>) -> Input {
+    fn input(&mut self, name: Spanned<String>, value: &Spot<'_>) -> Input {
         let mut input = Input {
             name,
             about: String::new(),
@@ -216,7 +216,7 @@ impl Reader {
             match &*key.name {
                 "about" => input.about = self.text(value, "`about`").value,
                 "files" => {
-                    for Said { value, span } in self.texts(value, "a pattern") {
+                    for Spanned { value, span } in self.texts(value, "a pattern") {
                         if !crate::pattern::stays_inside(&value) {
                             let what = "a pattern stays in the input's folder: no `..`, and no `/` in front";
                             self.wrong(&span, what);
@@ -237,7 +237,7 @@ impl Reader {
         input
     }
 
-    fn node(&mut self, name: Said<String>, value: &Spot<'_>) -> Node {
+    fn node(&mut self, name: Spanned<String>, value: &Spot<'_>) -> Node {
         let mut stage = None;
         let (mut from, mut with) = (From::List(vec![]), With::new());
         let mut exec = Exec::default();
@@ -250,7 +250,7 @@ impl Reader {
                 _ => self.unknown_key(key, &NODE),
             }
         }
-        let stage = stage.unwrap_or_else(|| Said {
+        let stage = stage.unwrap_or_else(|| Spanned {
             value: String::new(),
             span: name.span.clone(),
         });
@@ -266,7 +266,7 @@ impl Reader {
     pub(super) fn from(&mut self, value: &Spot<'_>) -> From {
         match &value.item {
             Item::Table(table) => {
-                let wire = |(k, v): &(Key<'_>, _)| (k.said(), self.text(v, "a source"));
+                let wire = |(k, v): &(Key<'_>, _)| (k.spanned(), self.text(v, "a source"));
                 From::Table(table.iter().map(wire).collect())
             }
             _ => From::List(self.texts(value, "a source")),
@@ -279,6 +279,6 @@ impl Reader {
 
     fn with_of(&mut self, value: &Spot<'_>, what: &str) -> With {
         let entries = self.table(value, what).iter();
-        entries.map(|(k, v)| (k.said(), self.value(v))).collect()
+        entries.map(|(k, v)| (k.spanned(), self.value(v))).collect()
     }
 }

@@ -2,21 +2,21 @@
 
 use super::read::Reader;
 use super::tree::Spot;
-use super::written::{Method, Said, Sample, Search, Sweep};
+use super::written::{Method, Sample, Search, Spanned, Sweep};
 use stage::{Value, unknown};
 
 /// The keys that a sweep does not have.
 const OWN: [&str; 6] = ["method", "budget", "seed", "least", "most", "dear"];
 
 impl Reader {
-    pub(super) fn search(&mut self, name: Said<String>, value: &Spot<'_>) -> Option<Search> {
+    pub(super) fn search(&mut self, name: Spanned<String>, value: &Spot<'_>) -> Option<Search> {
         let mut sweep = self.sweep_with(name, value, &OWN);
         let (mut method, mut budget, mut seed) = (Method::Hypercube, None, 1);
         let (mut metric, mut most, mut dear) = (None, false, None);
-        for (key, said) in self.table(value, "a search") {
+        for (key, spanned) in self.table(value, "a search") {
             match &*key.name {
                 "method" => {
-                    let text = self.text(said, "`method`");
+                    let text = self.text(spanned, "`method`");
                     let found = Method::ALL.iter().find(|(word, _)| *word == text.value);
                     let known = Method::ALL.map(|(word, _)| word);
                     match found {
@@ -24,30 +24,30 @@ impl Reader {
                         None => self.wrong(&text.span, unknown("method", &text.value, &known)),
                     }
                 }
-                "budget" => match self.value(said).value {
+                "budget" => match self.value(spanned).value {
                     Value::Int(n) if (1..=1_000_000).contains(&n) => budget = Some(n as usize),
                     _ => self.wrong(
-                        &said.span,
+                        &spanned.span,
                         "`budget` is how many whole points may be made, 1 to a million",
                     ),
                 },
-                "seed" => match self.value(said).value {
+                "seed" => match self.value(spanned).value {
                     Value::Int(n) => seed = n as u64,
-                    _ => self.wrong(&said.span, "`seed` is a whole number"),
+                    _ => self.wrong(&spanned.span, "`seed` is a whole number"),
                 },
                 word @ ("least" | "most") => {
                     most = word == "most";
-                    metric = Some(self.text(said, "the metric"));
+                    metric = Some(self.text(spanned, "the metric"));
                 }
                 "dear" => {
-                    for (node, params) in self.table(said, "`dear`") {
+                    for (node, params) in self.table(spanned, "`dear`") {
                         for (param, range) in self.table(params, "the param that makes points dear")
                         {
-                            let range = Said {
+                            let range = Spanned {
                                 value: self.stretch(range),
                                 span: range.span.clone(),
                             };
-                            dear = Some((node.said(), param.said(), range));
+                            dear = Some((node.spanned(), param.spanned(), range));
                         }
                     }
                 }
@@ -64,7 +64,7 @@ impl Reader {
         let (points, metric) = (budget?, metric?);
         sweep.csv = None;
         sweep.zip = vec![];
-        sweep.sample = Some(Said {
+        sweep.sample = Some(Spanned {
             value: Sample { points, seed },
             span: sweep.name.span.clone(),
         });

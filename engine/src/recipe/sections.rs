@@ -14,14 +14,14 @@ impl Binder<'_> {
     /// All that a node is given: entries of the sections that its stage takes, and over them what it
     /// says itself.
     pub(super) fn entries(&self, node: &Node, known: &Known) -> BTreeMap<String, Value> {
-        let said = node.with.iter();
-        let mut entries: BTreeMap<String, Value> = said
+        let spanned = node.with.iter();
+        let mut entries: BTreeMap<String, Value> = spanned
             .map(|(k, v)| (k.value.clone(), v.value.clone()))
             .collect();
         for kind in known.sections.iter() {
-            let said = self.recipe.sections.iter();
+            let spanned = self.recipe.sections.iter();
             let mut table = BTreeMap::new();
-            for entry in said.filter(|s| s.kind.value == *kind) {
+            for entry in spanned.filter(|s| s.kind.value == *kind) {
                 let keys = entry.keys.iter();
                 let keys = keys.map(|(k, v)| (k.value.clone(), v.value.clone()));
                 table.insert(entry.name.value.clone(), Value::Table(keys.collect()));

@@ -1,7 +1,7 @@
 //! `[params]`: values that several nodes share. `voxel_mm = "$cell_mm"` reads one.
 
 use super::mistake::Mistake;
-use super::written::{Node, Recipe, Said};
+use super::written::{Node, Recipe, Spanned};
 use crate::graph::SHARED;
 use stage::{Value, unknown};
 use std::collections::HashMap;
@@ -18,8 +18,8 @@ fn named(value: &Value) -> Option<&str> {
 pub(super) fn references(recipe: &Recipe) -> impl Iterator<Item = (&Node, &str)> {
     let nodes = recipe.nodes.iter();
     nodes.flat_map(|node| {
-        let said = node.with.iter();
-        said.filter_map(move |(_, v)| Some((node, named(&v.value)?)))
+        let spanned = node.with.iter();
+        spanned.filter_map(move |(_, v)| Some((node, named(&v.value)?)))
     })
 }
 
@@ -27,9 +27,9 @@ pub(super) fn references(recipe: &Recipe) -> impl Iterator<Item = (&Node, &str)>
 pub(super) fn readers<'a>(
     recipe: &'a Recipe,
     shared: &'a str,
-) -> impl Iterator<Item = (&'a Node, &'a Said<String>)> {
+) -> impl Iterator<Item = (&'a Node, &'a Spanned<String>)> {
     let of = move |node: &'a Node| {
-        let reads = move |(_, v): &&(_, Said<Value>)| named(&v.value) == Some(shared);
+        let reads = move |(_, v): &&(_, Spanned<Value>)| named(&v.value) == Some(shared);
         node.with
             .iter()
             .filter(reads)

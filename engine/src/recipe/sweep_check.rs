@@ -4,7 +4,7 @@ use super::binder::importer_of;
 use super::mistake::Mistake;
 use super::shared;
 use super::variant::vary;
-use super::written::{Node, Over, Overrides, Recipe, Said, Sweep};
+use super::written::{Node, Over, Overrides, Recipe, Spanned, Sweep};
 use crate::graph::SHARED;
 use crate::kind::Catalog;
 use crate::tells::{entries, untellable};
@@ -28,7 +28,7 @@ pub(super) fn check(recipe: &Recipe, sound: bool, catalog: &'static Catalog) -> 
     mistakes
 }
 
-fn wrong(mistakes: &mut Vec<Mistake>, at: &Said<String>, what: String) {
+fn wrong(mistakes: &mut Vec<Mistake>, at: &Spanned<String>, what: String) {
     mistakes.push(Mistake::at(&at.span, what));
 }
 
@@ -60,29 +60,30 @@ fn one(
             over_one(recipe, (node, param, &values), catalog, mistakes);
         }
     }
-    let full = |(n, p, _): &(Said<String>, Said<String>, Over)| format!("{}.{}", n.value, p.value);
+    let full =
+        |(n, p, _): &(Spanned<String>, Spanned<String>, Over)| format!("{}.{}", n.value, p.value);
     let params: Vec<String> = sweep.over.iter().map(full).collect();
-    for said in sweep.zip.iter().flatten() {
-        if !params.contains(&said.value) {
+    for spanned in sweep.zip.iter().flatten() {
+        if !params.contains(&spanned.value) {
             let known: Vec<&str> = params.iter().map(String::as_str).collect();
-            let what = unknown("param of this sweep", &said.value, &known);
-            wrong(mistakes, said, what);
+            let what = unknown("param of this sweep", &spanned.value, &known);
+            wrong(mistakes, spanned, what);
         }
     }
-    for said in &sweep.goal {
-        if !names.contains(&said.value.as_str()) {
-            wrong(mistakes, said, unknown("node", &said.value, &names));
+    for spanned in &sweep.goal {
+        if !names.contains(&spanned.value.as_str()) {
+            wrong(mistakes, spanned, unknown("node", &spanned.value, &names));
         }
     }
-    if let Some(said) = &sweep.replicate {
+    if let Some(spanned) = &sweep.replicate {
         let by_chance = |recipe: &Recipe| recipe.nodes.iter().any(|n| has_seed(n, catalog));
         if !recipes.iter().all(by_chance) {
-            mistakes.push(Mistake::at(&said.span, no_seed(catalog)));
+            mistakes.push(Mistake::at(&spanned.span, no_seed(catalog)));
         }
     }
-    for said in &sweep.tell {
-        if let Some(what) = untold_by_all(&recipes, said, &names, catalog) {
-            wrong(mistakes, said, what);
+    for spanned in &sweep.tell {
+        if let Some(what) = untold_by_all(&recipes, spanned, &names, catalog) {
+            wrong(mistakes, spanned, what);
         }
     }
 }
@@ -122,12 +123,16 @@ fn varied(recipe: &Recipe, sweep: &Sweep, sound: bool, mistakes: &mut Vec<Mistak
     let variants = recipe.variants.iter();
     let variants: Vec<&str> = variants.map(|v| v.name.value.as_str()).collect();
     let mut recipes = Vec::new();
-    for said in &sweep.with {
-        if !variants.contains(&said.value.as_str()) {
-            wrong(mistakes, said, unknown("variant", &said.value, &variants));
+    for spanned in &sweep.with {
+        if !variants.contains(&spanned.value.as_str()) {
+            wrong(
+                mistakes,
+                spanned,
+                unknown("variant", &spanned.value, &variants),
+            );
             continue;
         }
-        let variant = Some(said.value.clone());
+        let variant = Some(spanned.value.clone());
         let sets = vec![];
         if sound {
             recipes.extend(vary(recipe, &Overrides { variant, sets }).ok());
@@ -137,19 +142,19 @@ fn varied(recipe: &Recipe, sweep: &Sweep, sound: bool, mistakes: &mut Vec<Mistak
 }
 
 /// The values that a param takes, each with its place.
-fn values_of(over: &Over, sweep: &Sweep, mistakes: &mut Vec<Mistake>) -> Vec<Said<Value>> {
+fn values_of(over: &Over, sweep: &Sweep, mistakes: &mut Vec<Mistake>) -> Vec<Spanned<Value>> {
     match over {
         Over::List(list) => list.clone(),
-        Over::Range(said) => {
-            if said.value.steps.is_none() && sweep.sample.is_none() {
+        Over::Range(spanned) => {
+            if spanned.value.steps.is_none() && sweep.sample.is_none() {
                 let what = "a range needs `steps`, or the sweep a `sample`";
-                mistakes.push(Mistake::at(&said.span, what));
+                mistakes.push(Mistake::at(&spanned.span, what));
             }
-            let here = |value| Said {
+            let here = |value| Spanned {
                 value,
-                span: said.span.clone(),
+                span: spanned.span.clone(),
             };
-            let values = super::stretch::values(&said.value);
+            let values = super::stretch::values(&spanned.value);
             values.into_iter().map(here).collect()
         }
     }
@@ -158,12 +163,12 @@ fn values_of(over: &Over, sweep: &Sweep, mistakes: &mut Vec<Mistake>) -> Vec<Sai
 /// Whether a recipe has the param, and it can take the values.
 fn over_one(
     recipe: &Recipe,
-    (node, param, values): (&Said<String>, &Said<String>, &[Said<Value>]),
+    (node, param, values): (&Spanned<String>, &Spanned<String>, &[Spanned<Value>]),
     catalog: &'static Catalog,
     mistakes: &mut Vec<Mistake>,
 ) {
     let shared = node.value == SHARED;
-    let holders: Vec<(&Node, &Said<String>)> = match shared {
+    let holders: Vec<(&Node, &Spanned<String>)> = match shared {
         true => shared::readers(recipe, &param.value).collect(),
         false => {
             let nodes = recipe.nodes.iter().filter(|n| n.name.value == node.value);
@@ -186,18 +191,18 @@ fn over_one(
 /// Why a metric is there in none of the variants.
 fn untold_by_all(
     recipes: &[Recipe],
-    said: &Said<String>,
+    spanned: &Spanned<String>,
     names: &[&str],
     catalog: &'static Catalog,
 ) -> Option<String> {
-    match said.value.split_once('.').map(|(node, _)| node) {
+    match spanned.value.split_once('.').map(|(node, _)| node) {
         None => Some("give node.metric, such as \"hull.volume\"".into()),
         Some("error") => None,
         Some(node) if !names.contains(&node) => Some(unknown("node", node, names)),
         Some(node) => {
             let all = recipes
                 .iter()
-                .map(|r| missing_metric(r, node, said, catalog));
+                .map(|r| missing_metric(r, node, spanned, catalog));
             // It is enough that one variant tells it.
             let all: Option<Vec<String>> = all.collect();
             all?.into_iter().next()
@@ -209,9 +214,9 @@ fn untold_by_all(
 /// for `param`.
 fn unfit(
     holder: &Node,
-    name: &Said<String>,
-    param: &Said<String>,
-    values: &[Said<Value>],
+    name: &Spanned<String>,
+    param: &Spanned<String>,
+    values: &[Spanned<Value>],
     catalog: &'static Catalog,
 ) -> Vec<Mistake> {
     if importer_of(holder, catalog).is_some() {
@@ -234,9 +239,9 @@ fn unfit(
         return vec![];
     };
     let known = stage.params().iter().any(|p| p.name == name.value);
-    let one = |value: &Said<Value>| {
-        let said = [(name.value.clone(), value.value.clone())].into();
-        let wrong = stage.check(&said).err().unwrap_or_default();
+    let one = |value: &Spanned<Value>| {
+        let spanned = [(name.value.clone(), value.value.clone())].into();
+        let wrong = stage.check(&spanned).err().unwrap_or_default();
         let reasons = wrong.into_iter().map(|w| match known {
             true => Mistake::at(&value.span, format!("`{}` {}", name.value, w.what)),
             false => Mistake::at(&param.span, format!("{}: {}", stage.name(), w.what)),
@@ -250,13 +255,13 @@ fn unfit(
 fn missing_metric(
     recipe: &Recipe,
     node: &str,
-    said: &Said<String>,
+    spanned: &Spanned<String>,
     catalog: &'static Catalog,
 ) -> Option<String> {
-    let metric = &said.value[node.len() + 1..];
+    let metric = &spanned.value[node.len() + 1..];
     let at = recipe.nodes.iter().find(|n| n.name.value == node)?;
     let params = recipe.nodes.iter().flat_map(|n| &n.with);
-    let mut declared = entries(params.map(|(_, said)| &said.value));
+    let mut declared = entries(params.map(|(_, spanned)| &spanned.value));
     declared.extend(recipe.sections.iter().map(|s| s.name.value.clone()));
     let stage = match importer_of(at, catalog) {
         Some(importer) => importer,

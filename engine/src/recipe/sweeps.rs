@@ -2,18 +2,18 @@
 
 use super::read::Reader;
 use super::tree::{Item, Spot};
-use super::written::{Over, Said, Sample, Stretch, Sweep};
+use super::written::{Over, Sample, Spanned, Stretch, Sweep};
 use stage::Value;
 
 impl Reader {
-    pub(super) fn sweep(&mut self, name: Said<String>, value: &Spot<'_>) -> Sweep {
+    pub(super) fn sweep(&mut self, name: Spanned<String>, value: &Spot<'_>) -> Sweep {
         self.sweep_with(name, value, &[])
     }
 
     /// A sweep among whose keys are others, which somebody else reads.
     pub(super) fn sweep_with(
         &mut self,
-        name: Said<String>,
+        name: Spanned<String>,
         value: &Spot<'_>,
         others: &[&str],
     ) -> Sweep {
@@ -43,7 +43,7 @@ impl Reader {
                     for (node, params) in self.table(value, "`over`") {
                         for (param, values) in self.table(params, "the params of a node") {
                             let over = self.over(values);
-                            s.over.push((node.said(), param.said(), over));
+                            s.over.push((node.spanned(), param.spanned(), over));
                         }
                     }
                 }
@@ -70,7 +70,7 @@ impl Reader {
     fn over(&mut self, value: &Spot<'_>) -> Over {
         match &value.item {
             Item::List(list) => Over::List(list.iter().map(|v| self.value(v)).collect()),
-            Item::Table(_) => Over::Range(Said {
+            Item::Table(_) => Over::Range(Spanned {
                 value: self.stretch(value),
                 span: value.span.clone(),
             }),
@@ -80,10 +80,10 @@ impl Reader {
 
     pub(super) fn stretch(&mut self, value: &Spot<'_>) -> Stretch {
         let (mut ends, mut steps, mut log) = ([None, None], None, false);
-        for (key, said) in self.table(value, "a range") {
+        for (key, spanned) in self.table(value, "a range") {
             let known = ["from", "to", "steps", "log"];
             let value = match known.contains(&&*key.name) {
-                true => self.value(said).value,
+                true => self.value(spanned).value,
                 false => {
                     self.unknown_key(key, &known);
                     continue;
@@ -96,8 +96,8 @@ impl Reader {
                     steps = Some(*n as usize)
                 }
                 ("log", Value::Bool(b)) => log = *b,
-                ("log", _) => self.wrong(&said.span, "`log` is true or false"),
-                _ => self.wrong(&said.span, "`steps` is a whole number, 1 to a million"),
+                ("log", _) => self.wrong(&spanned.span, "`log` is true or false"),
+                _ => self.wrong(&spanned.span, "`steps` is a whole number, 1 to a million"),
             }
         }
         let number = |value: &Option<Value>| match value {
@@ -124,7 +124,7 @@ impl Reader {
         }
     }
 
-    fn zip(&mut self, value: &Spot<'_>) -> Vec<Vec<Said<String>>> {
+    fn zip(&mut self, value: &Spot<'_>) -> Vec<Vec<Spanned<String>>> {
         match &value.item {
             Item::List(list) if list.iter().any(|v| matches!(v.item, Item::List(_))) => list
                 .iter()
@@ -134,9 +134,9 @@ impl Reader {
         }
     }
 
-    fn replicate(&mut self, value: &Spot<'_>) -> Option<Said<u32>> {
+    fn replicate(&mut self, value: &Spot<'_>) -> Option<Spanned<u32>> {
         match self.value(value).value {
-            Value::Int(n) if (2..=10_000).contains(&n) => Some(Said {
+            Value::Int(n) if (2..=10_000).contains(&n) => Some(Spanned {
                 value: n as u32,
                 span: value.span.clone(),
             }),
@@ -148,7 +148,7 @@ impl Reader {
         }
     }
 
-    fn sample(&mut self, value: &Spot<'_>) -> Option<Said<Sample>> {
+    fn sample(&mut self, value: &Spot<'_>) -> Option<Spanned<Sample>> {
         let (mut points, mut seed) = (None, 1);
         let Item::Table(table) = &value.item else {
             self.wrong(&value.span, "write `sample = { points = 40, seed = 1 }`");
@@ -169,7 +169,7 @@ impl Reader {
         if points.is_none() {
             self.wrong(&value.span, "a sample needs `points`");
         }
-        Some(Said {
+        Some(Spanned {
             value: Sample {
                 points: points?,
                 seed,

@@ -2,7 +2,7 @@
 
 use super::mistake::Mistake;
 use super::values::{merged, nested, parse_value};
-use super::written::{From, Overrides, Recipe, Said, Variant};
+use super::written::{From, Overrides, Recipe, Spanned, Variant};
 use crate::graph::SHARED;
 use stage::{Value, unknown};
 use std::ops::Range;
@@ -50,13 +50,13 @@ pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistak
                     .iter()
                     .map(|v| v.name.value.as_str())
                     .collect();
-                mistakes.push(Mistake::said(unknown("variant", name, &known)));
+                mistakes.push(Mistake::spanned(unknown("variant", name, &known)));
             }
         }
     }
     for (i, set) in overrides.sets.iter().enumerate() {
         if let Err(what) = apply_set(&mut varied, set, i) {
-            mistakes.push(Mistake::said(format!("`--set {set}`: {what}")));
+            mistakes.push(Mistake::spanned(format!("`--set {set}`: {what}")));
         }
     }
     if mistakes.is_empty() {
@@ -69,7 +69,7 @@ pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistak
 fn apply(recipe: &mut Recipe, variant: &Variant, mistakes: &mut Vec<Mistake>) {
     let names: Vec<String> = recipe.nodes.iter().map(|n| n.name.value.clone()).collect();
     let known: Vec<&str> = names.iter().map(String::as_str).collect();
-    let find = |name: &Said<String>, mistakes: &mut Vec<Mistake>| {
+    let find = |name: &Spanned<String>, mistakes: &mut Vec<Mistake>| {
         let at = names.iter().position(|n| *n == name.value);
         if at.is_none() {
             mistakes.push(Mistake::at(
@@ -102,7 +102,7 @@ fn apply(recipe: &mut Recipe, variant: &Variant, mistakes: &mut Vec<Mistake>) {
             }
         }
     }
-    let gone: Vec<Said<String>> = variant
+    let gone: Vec<Spanned<String>> = variant
         .without
         .iter()
         .filter(|n| find(n, mistakes).is_some())
@@ -113,14 +113,18 @@ fn apply(recipe: &mut Recipe, variant: &Variant, mistakes: &mut Vec<Mistake>) {
     }
 }
 
-fn set(recipe: &mut Recipe, node: usize, param: Said<String>, value: Said<Value>) {
+fn set(recipe: &mut Recipe, node: usize, param: Spanned<String>, value: Spanned<Value>) {
     let with = &mut recipe.nodes[node].with;
     with.retain(|(name, _)| name.value != param.value);
     with.push((param, value));
 }
 
 /// Gives a shared param another value.
-fn set_shared(recipe: &mut Recipe, name: Said<String>, value: Said<Value>) -> Result<(), String> {
+fn set_shared(
+    recipe: &mut Recipe,
+    name: Spanned<String>,
+    value: Spanned<Value>,
+) -> Result<(), String> {
     let names: Vec<&str> = recipe
         .params
         .iter()
@@ -133,7 +137,7 @@ fn set_shared(recipe: &mut Recipe, name: Said<String>, value: Said<Value>) -> Re
 }
 
 /// Takes a node out: who read it reads what it read first.
-pub(super) fn leave_out(recipe: &mut Recipe, name: &Said<String>, mistakes: &mut Vec<Mistake>) {
+pub(super) fn leave_out(recipe: &mut Recipe, name: &Spanned<String>, mistakes: &mut Vec<Mistake>) {
     let Some(at) = recipe.nodes.iter().position(|n| n.name.value == name.value) else {
         return;
     };
@@ -175,14 +179,14 @@ const COMMAND_LINE: usize = usize::MAX / 2;
 
 /// The mistakes with those of `--set`s reported as such, and not at a place of the file.
 pub(super) fn of_sets(mistakes: Vec<Mistake>, sets: &[String]) -> Vec<Mistake> {
-    let said = |mistake: Mistake| {
+    let spanned = |mistake: Mistake| {
         let at = mistake.span.as_ref().map_or(0, |span| span.start);
         match at.checked_sub(COMMAND_LINE).and_then(|i| sets.get(i)) {
-            Some(set) => Mistake::said(format!("`--set {set}`: {}", mistake.what)),
+            Some(set) => Mistake::spanned(format!("`--set {set}`: {}", mistake.what)),
             None => mistake,
         }
     };
-    mistakes.into_iter().map(said).collect()
+    mistakes.into_iter().map(spanned).collect()
 }
 
 /// `NODE.PARAM=VALUE`, or `NODE.SECTION.ENTRY.KEY=VALUE`; a bare word is a text.
@@ -191,16 +195,16 @@ fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
     let (place, value) = text.split_once('=').ok_or_else(shape)?;
     let (node, param) = place.trim().split_once('.').ok_or_else(shape)?;
     let here = on_command_line(i);
-    let said = |value: &str| Said {
+    let spanned = |value: &str| Spanned {
         value: value.to_owned(),
         span: here.clone(),
     };
     if node == SHARED {
-        let value = Said {
+        let value = Spanned {
             value: parse_value(value.trim()),
             span: here.clone(),
         };
-        return set_shared(recipe, said(param), value);
+        return set_shared(recipe, spanned(param), value);
     }
     let names: Vec<&str> = recipe.nodes.iter().map(|n| n.name.value.as_str()).collect();
     let at = names.iter().position(|n| *n == node);
@@ -211,10 +215,10 @@ fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
     if let Some((_, old)) = with.find(|(name, _)| path.len() > 1 && name.value == path[0]) {
         value = merged(old.value.clone(), value);
     }
-    let value = Said {
+    let value = Spanned {
         value,
         span: here.clone(),
     };
-    set(recipe, at, said(path[0]), value);
+    set(recipe, at, spanned(path[0]), value);
     Ok(())
 }

@@ -2,10 +2,10 @@
 
 use super::read::Reader;
 use super::tree::Spot;
-use super::written::{Said, Variant};
+use super::written::{Spanned, Variant};
 
 impl Reader {
-    pub(super) fn variant(&mut self, name: Said<String>, value: &Spot<'_>) -> Variant {
+    pub(super) fn variant(&mut self, name: Spanned<String>, value: &Spot<'_>) -> Variant {
         let mut v = Variant {
             name,
             about: String::new(),
@@ -22,21 +22,21 @@ impl Reader {
                     let nodes = self.table(value, "`with` of a variant");
                     v.with = nodes
                         .iter()
-                        .map(|(node, w)| (node.said(), self.with(w)))
+                        .map(|(node, w)| (node.spanned(), self.with(w)))
                         .collect();
                 }
                 "stage" => {
                     let nodes = self.table(value, "`stage` of a variant");
                     v.stage = nodes
                         .iter()
-                        .map(|(n, s)| (n.said(), self.text(s, "a stage")))
+                        .map(|(n, s)| (n.spanned(), self.text(s, "a stage")))
                         .collect();
                 }
                 "from" => {
                     let nodes = self.table(value, "`from` of a variant");
                     v.from = nodes
                         .iter()
-                        .map(|(node, f)| (node.said(), self.from(f)))
+                        .map(|(node, f)| (node.spanned(), self.from(f)))
                         .collect();
                 }
                 _ => self.unknown_key(key, &["about", "with", "without", "stage", "from"]),

@@ -2,7 +2,7 @@
 
 use super::binder::{Binder, Known};
 use super::mistake::Mistake;
-use super::written::{From, Node, Said};
+use super::written::{From, Node, Spanned};
 use crate::graph::Source;
 use stage::{PortSpec, unknown};
 
@@ -13,9 +13,9 @@ impl<'a> Binder<'a> {
         node: &'a Node,
         ports: &[PortSpec],
         stages: &[Option<Known>],
-    ) -> Vec<(usize, &'a Said<String>)> {
+    ) -> Vec<(usize, &'a Spanned<String>)> {
         let known: Vec<&str> = ports.iter().map(|p| p.name).collect();
-        let mut wires: Vec<(usize, &'a Said<String>)> = Vec::new();
+        let mut wires: Vec<(usize, &'a Spanned<String>)> = Vec::new();
         match &node.from {
             From::Table(table) => {
                 for (port, source) in table {
@@ -29,27 +29,27 @@ impl<'a> Binder<'a> {
                 }
             }
             From::List(list) => {
-                let named = |s: &Said<String>| {
+                let named = |s: &Spanned<String>| {
                     known
                         .iter()
                         .position(|p| *p == s.value.trim_start_matches('@'))
                 };
                 let mut open: Vec<usize> = (0..ports.len()).collect();
                 open.retain(|i| !list.iter().any(|s| named(s) == Some(*i)));
-                for said in list {
+                for spanned in list {
                     let kind = self
-                        .source(said)
+                        .source(spanned)
                         .and_then(|source| self.kind(source, stages));
                     let fits: Vec<usize> = open
                         .iter()
                         .copied()
                         .filter(|i| Some(ports[*i].kind) == kind)
                         .collect();
-                    match (named(said), fits.as_slice()) {
-                        (Some(i), _) => wires.push((i, said)),
+                    match (named(spanned), fits.as_slice()) {
+                        (Some(i), _) => wires.push((i, spanned)),
                         (None, [one]) => {
                             open.retain(|i| i != one);
-                            wires.push((*one, said));
+                            wires.push((*one, spanned));
                         }
                         (None, _) if kind.is_none() => {}
                         (None, several) => {
@@ -59,10 +59,10 @@ impl<'a> Binder<'a> {
                             } else {
                                 format!(
                                     "several ports take {kind}: name one, `from = {{ {} = \"{}\" }}`",
-                                    ports[several[0]].name, said.value
+                                    ports[several[0]].name, spanned.value
                                 )
                             };
-                            self.mistakes.push(Mistake::at(&said.span, what));
+                            self.mistakes.push(Mistake::at(&spanned.span, what));
                         }
                     }
                 }
@@ -73,9 +73,9 @@ impl<'a> Binder<'a> {
 
     /// Whether all that a node reads is there, and of a kind that is known.
     pub(super) fn known_sources(&self, node: &Node) -> bool {
-        let known = |said: &Said<String>| match said.value.strip_prefix('@') {
+        let known = |spanned: &Spanned<String>| match spanned.value.strip_prefix('@') {
             Some(name) => self.inputs.contains_key(name),
-            None => match self.places.get(said.value.as_str()) {
+            None => match self.places.get(spanned.value.as_str()) {
                 Some(Source::Node(i)) => self.is_known(*i),
                 _ => false,
             },
@@ -86,12 +86,12 @@ impl<'a> Binder<'a> {
         }
     }
 
-    pub(super) fn source(&mut self, said: &Said<String>) -> Option<Source> {
+    pub(super) fn source(&mut self, spanned: &Spanned<String>) -> Option<Source> {
         let recipe = self.recipe;
-        let input = said.value.strip_prefix('@');
+        let input = spanned.value.strip_prefix('@');
         let source = match input {
             Some(name) => self.inputs.get(name).copied(),
-            None => self.places.get(said.value.as_str()).copied(),
+            None => self.places.get(spanned.value.as_str()).copied(),
         };
         if source.is_none() {
             let (what, known): (_, Vec<&str>) = match input {
@@ -109,8 +109,8 @@ impl<'a> Binder<'a> {
                 ),
             };
             let mistake = Mistake::at(
-                &said.span,
-                unknown(what, said.value.trim_start_matches('@'), &known),
+                &spanned.span,
+                unknown(what, spanned.value.trim_start_matches('@'), &known),
             );
             if !self.mistakes.contains(&mistake) {
                 self.mistakes.push(mistake);

@@ -26,7 +26,7 @@ pub(super) const NODE: [&str; 12] = [
 
 /// Something written, and where. \[bytes of the file, behind those of the files read before\]
 #[derive(Debug, Clone, PartialEq)]
-pub struct Said<T> {
+pub struct Spanned<T> {
     /// What was written.
     pub value: T,
     /// Where.
@@ -37,21 +37,21 @@ pub struct Said<T> {
 #[derive(Debug, Clone, PartialEq)]
 pub enum From {
     /// `from = ["photos", "masks"]`: each port is called like what it reads.
-    List(Vec<Said<String>>),
+    List(Vec<Spanned<String>>),
     /// `from = { mesh = "hull" }`: port, then what it reads.
-    Table(Vec<(Said<String>, Said<String>)>),
+    Table(Vec<(Spanned<String>, Spanned<String>)>),
 }
 
 /// `with = { voxel_mm = 2.0 }`.
-pub type With = Vec<(Said<String>, Said<Value>)>;
+pub type With = Vec<(Spanned<String>, Spanned<Value>)>;
 
 /// `[node.NAME]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
     /// Its name.
-    pub name: Said<String>,
+    pub name: Spanned<String>,
     /// Its stage.
-    pub stage: Said<String>,
+    pub stage: Spanned<String>,
     /// What it reads.
     pub from: From,
     /// Its params.
@@ -64,23 +64,23 @@ pub struct Node {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Exec {
     /// The first of its keys, with its place.
-    pub key: Option<Said<String>>,
+    pub key: Option<Spanned<String>>,
     /// `command`.
-    pub command: Option<Vec<Said<String>>>,
+    pub command: Option<Vec<Spanned<String>>>,
     /// `out`: the kind that it makes.
-    pub out: Option<Said<String>>,
+    pub out: Option<Spanned<String>>,
     /// `files` of its own, beside the pipeline.
-    pub files: Option<Vec<Said<String>>>,
+    pub files: Option<Vec<Spanned<String>>>,
     /// `identity`: a command that prints what it is.
-    pub identity: Option<Vec<Said<String>>>,
+    pub identity: Option<Vec<Spanned<String>>>,
     /// `env`: variables of the environment that it gets.
-    pub env: Option<Vec<Said<String>>>,
+    pub env: Option<Vec<Spanned<String>>>,
     /// `reads`: files and folders that it reads beside what it is given.
-    pub reads: Option<Vec<Said<String>>>,
+    pub reads: Option<Vec<Spanned<String>>>,
     /// `timeout_s`: how long it may take.
-    pub timeout_s: Option<Said<f64>>,
+    pub timeout_s: Option<Spanned<f64>>,
     /// `memory_mb`: what it may hold.
-    pub memory_mb: Option<Said<f64>>,
+    pub memory_mb: Option<Spanned<f64>>,
     /// `network`: whether it may reach the network.
     pub network: Option<bool>,
     /// `keep`: whether it stays for further jobs.
@@ -91,7 +91,7 @@ pub struct Exec {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
     /// Its name.
-    pub name: Said<String>,
+    pub name: Spanned<String>,
     /// What it is.
     pub about: String,
     /// Patterns of its files.
@@ -102,9 +102,9 @@ pub struct Input {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
     /// The param that it fills.
-    pub kind: Said<String>,
+    pub kind: Spanned<String>,
     /// Its own name.
-    pub name: Said<String>,
+    pub name: Spanned<String>,
     /// What it says.
     pub keys: With,
 }
@@ -113,30 +113,30 @@ pub struct Section {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variant {
     /// Its name.
-    pub name: Said<String>,
+    pub name: Spanned<String>,
     /// What it is for.
     pub about: String,
     /// Params by node; `params` are the shared ones.
-    pub with: Vec<(Said<String>, With)>,
+    pub with: Vec<(Spanned<String>, With)>,
     /// Another stage for a node.
-    pub stage: Vec<(Said<String>, Said<String>)>,
+    pub stage: Vec<(Spanned<String>, Spanned<String>)>,
     /// Other sources for a node.
-    pub from: Vec<(Said<String>, From)>,
+    pub from: Vec<(Spanned<String>, From)>,
     /// Nodes left out: their readers read what they read.
-    pub without: Vec<Said<String>>,
+    pub without: Vec<Spanned<String>>,
 }
 
 /// The values that a param takes in a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Over {
     /// `[2.0, 3.0, 4.0]`.
-    List(Vec<Said<Value>>),
+    List(Vec<Spanned<Value>>),
     /// `{ from = 1.0, to = 8.0, steps = 4, log = true }`.
-    Range(Said<Stretch>),
+    Range(Spanned<Stretch>),
 }
 
 /// Node (or `params`), param, and the values that it takes.
-pub type OverParam = (Said<String>, Said<String>, Over);
+pub type OverParam = (Spanned<String>, Spanned<String>, Over);
 
 /// Values from one number to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -166,25 +166,25 @@ pub struct Sample {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     /// Its name.
-    pub name: Said<String>,
+    pub name: Spanned<String>,
     /// The question it answers.
     pub about: String,
     /// Node (or `params`), param and the values it takes.
     pub over: Vec<OverParam>,
     /// Params that go side by side instead of crosswise: `node.param`.
-    pub zip: Vec<Vec<Said<String>>>,
+    pub zip: Vec<Vec<Spanned<String>>>,
     /// A table of points: a file beside the pipeline, `node.param` at the head of each column.
-    pub csv: Option<Said<String>>,
+    pub csv: Option<Spanned<String>>,
     /// A sample instead of the grid.
-    pub sample: Option<Said<Sample>>,
+    pub sample: Option<Spanned<Sample>>,
     /// How often each point is repeated, each time with other seeds of what is by chance.
-    pub replicate: Option<Said<u32>>,
+    pub replicate: Option<Spanned<u32>>,
     /// Variants to be crossed with the grid; none is the pipeline as it is.
-    pub with: Vec<Said<String>>,
+    pub with: Vec<Spanned<String>>,
     /// Metrics to report: `node.metric`.
-    pub tell: Vec<Said<String>>,
+    pub tell: Vec<Spanned<String>>,
     /// The nodes that are wanted at each point; none is the pipeline's goal.
-    pub goal: Vec<Said<String>>,
+    pub goal: Vec<Spanned<String>>,
 }
 
 /// How a search chooses its points.
@@ -219,11 +219,11 @@ pub struct Search {
     /// How points are chosen.
     pub method: Method,
     /// The metric that is to be small, or large.
-    pub metric: Said<String>,
+    pub metric: Spanned<String>,
     /// Whether it is to be large.
     pub most: bool,
     /// What makes points of a halving dear: node, param, its least and its full value.
-    pub dear: Option<(Said<String>, Said<String>, Said<Stretch>)>,
+    pub dear: Option<(Spanned<String>, Spanned<String>, Spanned<Stretch>)>,
 }
 
 /// A pipeline as written.
@@ -232,15 +232,15 @@ pub struct Recipe {
     /// What it is for.
     pub about: String,
     /// The nodes that are wanted.
-    pub goal: Vec<Said<String>>,
+    pub goal: Vec<Spanned<String>>,
     /// The user's files.
     pub inputs: Vec<Input>,
     /// The nodes.
     pub nodes: Vec<Node>,
     /// `extends`: the pipeline that this one changes.
-    pub extends: Option<Said<String>>,
+    pub extends: Option<Spanned<String>>,
     /// Nodes of that one that are left out: their readers read what they read.
-    pub without: Vec<Said<String>>,
+    pub without: Vec<Spanned<String>>,
     /// `[params]`: values that several nodes share.
     pub params: With,
     /// Entries of sections.

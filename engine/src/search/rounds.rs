@@ -218,8 +218,8 @@ fn narrower((node, param, over): &OverParam, best: Option<&Tried>, share: f64) -
     };
     let middle = best.and_then(|b| b.sets.iter().find_map(here));
     let narrowed = match (over, middle) {
-        (Over::Range(said), Some(middle)) => {
-            let s = &said.value;
+        (Over::Range(spanned), Some(middle)) => {
+            let s = &spanned.value;
             let (f, back): (Map, Map) = match s.log {
                 true => (libm::log, libm::exp),
                 false => (|x| x, |x| x),
@@ -228,7 +228,7 @@ fn narrower((node, param, over): &OverParam, best: Option<&Tried>, share: f64) -
             let half = (high - low) * share / 2.0;
             // The range moves in where it would reach out.
             let centre = f(middle).clamp(low + half, high - half);
-            let mut narrow = said.clone();
+            let mut narrow = spanned.clone();
             narrow.value.from = back(centre - half).max(s.from.min(s.to));
             narrow.value.to = back(centre + half).min(s.from.max(s.to));
             Over::Range(narrow)

@@ -99,10 +99,10 @@ fn mistakes_of_a_search_are_told() {
         ("", "needs a `budget`"),
     ] {
         let text = format!("[search.s]\nover.a = {{ x = [1] }}\nleast = \"a.z\"\n{more}\n");
-        let told = crate::recipe::read(&text).unwrap_err();
+        let reported = crate::recipe::read(&text).unwrap_err();
         assert!(
-            told.iter().any(|m| m.what.contains(what)),
-            "{more}: {told:?}"
+            reported.iter().any(|m| m.what.contains(what)),
+            "{more}: {reported:?}"
         );
     }
 }

@@ -10,7 +10,7 @@ use std::io::{Error, ErrorKind, Result};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-/// The steps of a disk since it was last known what lies on it.
+/// The steps of a disk since it was last known what is on it.
 pub(super) type Steps = Arc<Mutex<Vec<Step>>>;
 
 pub(super) struct Simulated {
@@ -81,7 +81,7 @@ impl Disk for Simulated {
     }
 }
 
-/// The steps that make what lies below a folder, all of it safe.
+/// The steps that make what is below a folder, all of it safe.
 fn made(there: &[(PathBuf, Option<Vec<u8>>)]) -> Vec<Step> {
     let mut steps = Vec::new();
     for (path, file) in there {

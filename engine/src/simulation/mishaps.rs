@@ -105,7 +105,7 @@ fn permission(world: &World, m: usize, what: &What) -> String {
     "so".into()
 }
 
-/// Lets anybody write where permissions lie: they count no longer.
+/// Lets anybody write where permissions are: they count no longer.
 fn loosen(world: &World, m: usize, folder: &Path) {
     #[cfg(unix)]
     if folder.is_dir() {

@@ -114,11 +114,11 @@ pub(super) fn kept(machine: &Machine, store: &Store) -> Vec<Hash> {
         .unwrap_or_default()
         .into_iter()
         .filter_map(|(_, run)| {
-            let told = past::nodes(store.root(), &run)?
+            let reported = past::nodes(store.root(), &run)?
                 .filter_map(|node| node.content)
                 .count();
             let contents = known.runs.get(&run)?;
-            (told == contents.len()).then(|| contents.clone())
+            (reported == contents.len()).then(|| contents.clone())
         });
     let there = |content: &Hash| is_there(machine, *content);
     pinned.flatten().filter(there).collect()

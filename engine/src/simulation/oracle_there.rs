@@ -10,7 +10,7 @@ use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
 
-/// What of a capture lies in the shared store before it is forgotten, as far as its own records tell.
+/// What of a capture is in the shared store before it is forgotten, as far as its own records tell.
 pub(super) struct There {
     /// Its objects.
     mine: BTreeSet<String>,

@@ -28,11 +28,11 @@ pub(super) fn program(number: usize) -> Graph {
 pub(super) fn makes(number: usize, files: &Files) -> Results {
     let photos = files.entries.iter();
     let photos = photos.map(|entry| files.read(entry).expect("a photo"));
-    let text = Text(said(number, photos));
+    let text = Text(given(number, photos));
     Rc::new(vec![stage::to_bytes(&text)])
 }
 
-fn said(number: usize, photos: impl Iterator<Item = Vec<u8>>) -> Vec<u8> {
+fn given(number: usize, photos: impl Iterator<Item = Vec<u8>>) -> Vec<u8> {
     let mut text = format!("{number}:").into_bytes();
     photos.for_each(|photo| text.extend(photo));
     text
@@ -45,7 +45,7 @@ fn does(words: &[String]) -> Pretended {
     };
     let number: usize = number.parse().expect("a number");
     let photos = crate::store::below(Path::new(from)).into_iter();
-    let text = said(
+    let text = given(
         number,
         photos.map(|path| std::fs::read(path).expect("a photo")),
     );

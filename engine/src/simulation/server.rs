@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, SystemTime};
 
-/// What lies in the shared store.
+/// What is in the shared store.
 pub(super) struct Server {
     pub(super) objects: Mutex<BTreeMap<String, (Vec<u8>, Duration)>>,
     pub(super) honest: AtomicBool,

@@ -98,7 +98,7 @@ pub(super) enum What {
     Plant {
         program: usize,
     },
-    /// Anybody may write where permissions lie.
+    /// Anybody may write where permissions are.
     Loosen,
     Edit {
         capture: usize,

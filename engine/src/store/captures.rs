@@ -13,7 +13,7 @@ use std::path::Path;
 /// A hash over all folders and contents that the last run noted.
 pub(super) const NOTED: &str = "noted";
 
-/// Where the notes lie.
+/// Where the notes are.
 pub(super) const FOLDER: &str = "captures";
 
 /// What a note says.
@@ -108,8 +108,8 @@ impl Store {
     }
 
     /// Notes that a folder was named by a path that leads elsewhere.
-    pub(crate) fn note_link(&self, said: &Path, real: &Path) {
-        let Ok(link) = std::path::absolute(said) else {
+    pub(crate) fn note_link(&self, answer: &Path, real: &Path) {
+        let Ok(link) = std::path::absolute(answer) else {
             return;
         };
         if link == real {

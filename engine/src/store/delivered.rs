@@ -26,7 +26,7 @@ pub struct Delivered {
 }
 
 impl Delivered {
-    /// Whether its results still lie there.
+    /// Whether its results still are there.
     pub(crate) fn is_there(&self) -> bool {
         match delivery::of_readable(&self.out) {
             Ok(of) => of.is_some_and(|of| of == self.of),

@@ -32,7 +32,7 @@ pub enum StoreError {
         /// What no store has.
         strange: PathBuf,
     },
-    /// A folder of the store that lies elsewhere.
+    /// A folder of the store that is elsewhere.
     #[error("{} is a link, and nothing is removed through a link: nothing was removed; put the folder itself there", .0.display())]
     Link(PathBuf),
     /// The store that machines share.

@@ -66,7 +66,7 @@ fn above(disk: &dyn Disk, path: &Path) -> Result<()> {
     path.parent().map_or(Ok(()), |folder| made(disk, folder))
 }
 
-/// A file to be written, locked as long as it is open; the folder that it is to lie in is made when it is missed, which
+/// A file to be written, locked as long as it is open; the folder that it is to be in is made when it is missed, which
 /// is rare.
 pub(super) fn create(disk: &dyn Disk, path: &Path) -> Result<File> {
     let created = match disk.create(path) {
@@ -171,7 +171,7 @@ pub(super) fn publish_new(
     })
 }
 
-/// What disks without second names say: FAT, some that lie elsewhere.
+/// What disks without second names say: FAT, some that are elsewhere.
 fn knows_no_links(error: &std::io::Error) -> bool {
     matches!(
         error.kind(),

@@ -108,7 +108,7 @@ impl Store {
         self.index.get_or_init(load).lock().expect("bug: poisoned")
     }
 
-    /// Where it lies.
+    /// Where it is.
     pub fn root(&self) -> &Path {
         &self.root
     }
@@ -123,7 +123,7 @@ impl Store {
         self.place("cas", content)
     }
 
-    /// Writes a file of the store by its name, over what was there. It is not synced: what lies
+    /// Writes a file of the store by its name, over what was there. It is not synced: what is
     /// outside of the shelves is of use, but nothing depends on it.
     ///
     /// # Errors

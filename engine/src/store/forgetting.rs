@@ -211,8 +211,8 @@ fn a_step_of_forgetting_that_fails_is_told_and_what_leads_to_the_rest_stays() {
         let folder = &story.captures[0].folder;
         let first = story.store(&disk).and_then(|store| forget(&store, folder));
         if disk.tried() > fails {
-            let told = matches!(first, Err(StoreError::Left(_) | StoreError::Disk { .. }));
-            assert!(told, "step {fails}: {first:?}");
+            let reported = matches!(first, Err(StoreError::Left(_) | StoreError::Disk { .. }));
+            assert!(reported, "step {fails}: {first:?}");
         }
         forget(&store, folder).unwrap();
         story.clean(&format!("step {fails} fails"));

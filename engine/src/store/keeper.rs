@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Runs whose records are kept if nothing else is said; there may be twice as many for a while.
 pub const KEPT_RECORDS: usize = 200;
 
-/// Where parts and checkpoints lie, and lay before they were bound to their keys.
+/// Where parts and checkpoints are, and lay before they were bound to their keys.
 const PARTS: [&str; 2] = ["parts", "part"];
 
 /// A result in the store.

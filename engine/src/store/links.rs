@@ -7,7 +7,7 @@ use crate::own;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What a result was made of, and where it lies.
+/// What a result was made of, and where it is.
 pub(super) struct Link {
     pub(super) key: Hash,
     pub(super) content: Hash,

@@ -42,7 +42,7 @@ impl Store {
     }
 }
 
-/// One hash of a key and what lies under it.
+/// One hash of a key and what is under it.
 fn bound(key: Hash, bytes: &[u8]) -> Hash {
     let mut hasher = blake3::Hasher::new();
     hasher.update(key.as_bytes());

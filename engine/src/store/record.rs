@@ -37,7 +37,7 @@ pub(super) enum Origin {
     },
 }
 
-/// As it lies on disk, under a line with the hash of the rest.
+/// As it is on disk, under a line with the hash of the rest.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Written {

@@ -43,7 +43,7 @@ impl Store {
         own::files(self.root(), folder, fits).map_err(at(&self.root().join(folder)))
     }
 
-    /// All that lies on a shelf under a hash.
+    /// All that is on a shelf under a hash.
     ///
     /// # Errors
     ///
@@ -52,7 +52,7 @@ impl Store {
         own::shelf(self.root(), shelf).map_err(at(&self.root().join(shelf)))
     }
 
-    /// As [`Store::gone`], what lies on a shelf under a hash.
+    /// As [`Store::gone`], what is on a shelf under a hash.
     ///
     /// # Errors
     ///

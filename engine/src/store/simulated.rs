@@ -209,7 +209,7 @@ fn left(file: &Content, dice: &mut Dice) -> Vec<u8> {
 }
 
 /// What may be left below `root` after these steps and a loss of power: folders (`None`) and files, each
-/// after what it lies in.
+/// after what it is in.
 pub(crate) fn after_loss(
     steps: &[Step],
     root: &Path,

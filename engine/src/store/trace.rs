@@ -1,4 +1,4 @@
-//! What came of a folder: its captures by where they lay, and by the files that lie there now, so that one that was
+//! What came of a folder: its captures by where they lay, and by the files that are there now, so that one that was
 //! moved is found, too.
 
 use super::captures::Note;
@@ -49,13 +49,13 @@ struct Input {
 }
 
 impl Trace {
-    /// Whether a path is the folder, or lies in it, or did before it was moved.
+    /// Whether a path is the folder, or is in it, or did before it was moved.
     pub(super) fn has(&self, path: &str) -> bool {
         let path = Path::new(path);
         self.folders.iter().any(|folder| path.starts_with(folder))
     }
 
-    /// Whether these are the folder's files: half of them or more lie in it, or they are half of what lies in it. A
+    /// Whether these are the folder's files: half of them or more are in it, or they are half of what is in it. A
     /// plate or a `capture.toml` that captures share makes none of them the other.
     fn is_of(&self, files: &[String]) -> bool {
         let files: BTreeSet<&String> = files.iter().collect();
@@ -103,7 +103,7 @@ fn kind(path: &Path) -> Result<Option<Metadata>> {
     }
 }
 
-/// The plain files in a folder and below it, links to files among them; without what lies in `but`. What cannot be read
+/// The plain files in a folder and below it, links to files among them; without what is in `but`. What cannot be read
 /// is added to `unread`.
 fn below(folder: &Path, but: &Path, unread: &mut Vec<PathBuf>) -> Vec<PathBuf> {
     let (mut open, mut found) = (vec![folder.to_owned()], Vec::new());
@@ -166,12 +166,15 @@ impl Store {
     ///
     /// The disk refuses: then nobody knows what did.
     pub fn trace(&self, folder: &Path) -> std::result::Result<Trace, StoreError> {
-        let (real, said) = (whole(folder), std::path::absolute(folder));
+        let (real, answer) = (whole(folder), std::path::absolute(folder));
         let mut trace = Trace::default();
         trace.folders.push(real.clone());
         let notes = self.notes()?;
-        if let Some(said) = said.ok().filter(|said| !said.exists() && *said != real) {
-            trace.folders.push(said);
+        if let Some(answer) = answer
+            .ok()
+            .filter(|answer| !answer.exists() && *answer != real)
+        {
+            trace.folders.push(answer);
         }
         if !real.exists() {
             let links = notes.iter().filter_map(|(_, note)| match note {

@@ -11,7 +11,7 @@ use std::collections::HashMap;
 /// Nodes that one worker makes in one go.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Strand {
-    /// All that it reads lies in lower layers.
+    /// All that it reads is in lower layers.
     pub layer: usize,
     /// Its nodes, in the graph's order.
     pub nodes: Vec<usize>,

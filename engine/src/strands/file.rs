@@ -65,7 +65,7 @@ pub struct PointLine {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StrandLine {
-    /// All that it reads lies in lower layers.
+    /// All that it reads is in lower layers.
     pub layer: usize,
     /// A point that it belongs to, by its place.
     pub point: usize,
@@ -163,8 +163,8 @@ impl Plan {
         if stage::hash(&bytes).to_hex().as_str() != whole {
             return Err(corrupt("its bytes are not those of its name".into()));
         }
-        let told = |bytes: &[u8]| serde_json::from_slice::<Maker>(bytes).ok();
-        if let Some(maker) = told(&bytes).filter(|m| m.version != VERSION) {
+        let reported = |bytes: &[u8]| serde_json::from_slice::<Maker>(bytes).ok();
+        if let Some(maker) = reported(&bytes).filter(|m| m.version != VERSION) {
             return Err(PlanError::Version(maker.program, VERSION.to_string()));
         }
         let plan: Plan = serde_json::from_slice(&bytes).map_err(|e| corrupt(e.to_string()))?;

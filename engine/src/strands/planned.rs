@@ -20,7 +20,7 @@ pub struct Asked<'a> {
     pub nodes: &'a [String],
 }
 
-/// Inputs by name, and where each lies.
+/// Inputs by name, and where each is.
 pub type Folders = Vec<(String, PathBuf)>;
 
 /// Why there is no plan.

@@ -1,6 +1,6 @@
 //! A study's table: out of a sweep's rows, as a page, as data, and against what it was.
 
-use crate::sweep::{Group, Pairs, Row, Told, of_variants, pairs_cells, spread, spread_cells};
+use crate::sweep::{Group, Pairs, Reported, Row, of_variants, pairs_cells, spread, spread_cells};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -49,13 +49,17 @@ fn kept(mut group: Group) -> Group {
 impl Table {
     /// Of a sweep's rows.
     pub fn new(name: &str, about: &str, rows: &[Row]) -> Table {
-        let told: Vec<Told> = rows.iter().map(Told::of).collect();
-        let repeated = told.iter().any(|t| t.replicate.is_some());
+        let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
+        let repeated = reported.iter().any(|t| t.replicate.is_some());
         Table {
             name: name.into(),
             about: about.into(),
-            groups: spread(&told).into_iter().map(kept).collect(),
-            against: if repeated { of_variants(&told) } else { vec![] },
+            groups: spread(&reported).into_iter().map(kept).collect(),
+            against: if repeated {
+                of_variants(&reported)
+            } else {
+                vec![]
+            },
         }
     }
 

@@ -7,7 +7,7 @@ use crate::recipe::{
 };
 use std::path::Path;
 
-/// The axes of a declared sweep; a table of points lies in `folder`.
+/// The axes of a declared sweep; a table of points is in `folder`.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn axes(sweep: &Sweep, folder: &Path) -> Result<Vec<Axis>, AxisError> {
 fn listed((node, param, over): &OverParam) -> Axis {
     let values = match over {
         Over::List(list) => list.iter().map(|v| v.value.clone()).collect(),
-        Over::Range(said) => values(&said.value),
+        Over::Range(given) => values(&given.value),
     };
     Axis {
         params: vec![(node.value.clone(), param.value.clone())],
@@ -90,7 +90,7 @@ pub(crate) fn hypercube(over: &[OverParam], sample: Sample) -> Axis {
         for (row, slice) in rows.iter_mut().zip(slices) {
             let share = (slice as f64 + dice()) / n as f64;
             row.push(match values {
-                Over::Range(said) => written(between(&said.value, share), said.value.whole),
+                Over::Range(given) => written(between(&given.value, share), given.value.whole),
                 Over::List(list) => list[(share * list.len() as f64) as usize].value.clone(),
             });
         }
@@ -107,8 +107,8 @@ pub(crate) fn hypercube(over: &[OverParam], sample: Sample) -> Axis {
 /// # Errors
 ///
 /// The text says no values.
-pub fn said(text: &str) -> Result<Axis, AxisError> {
-    let wrong = || AxisError::Said(text.into());
+pub fn given(text: &str) -> Result<Axis, AxisError> {
+    let wrong = || AxisError::Given(text.into());
     let (place, values_said) = text.split_once('=').ok_or_else(wrong)?;
     let (node, param) = place.trim().split_once('.').ok_or_else(wrong)?;
     let listed = match range(values_said) {
@@ -169,20 +169,20 @@ mod tests {
 
     #[test]
     fn ranges_end_where_they_say_and_log_steps_are_equal_ratios() {
-        assert_eq!(texts(&said("a.b=2..8/4").unwrap()), ["2", "4", "6", "8"]);
-        assert_eq!(texts(&said("a.b=0..1/3").unwrap()), ["0.0", "0.5", "1.0"]);
+        assert_eq!(texts(&given("a.b=2..8/4").unwrap()), ["2", "4", "6", "8"]);
+        assert_eq!(texts(&given("a.b=0..1/3").unwrap()), ["0.0", "0.5", "1.0"]);
         assert_eq!(
-            texts(&said("a.b=0.1..0.5/5").unwrap()),
+            texts(&given("a.b=0.1..0.5/5").unwrap()),
             ["0.1", "0.2", "0.3", "0.4", "0.5"]
         );
         assert_eq!(
-            texts(&said("a.b=0.01..100.0/5log").unwrap()),
+            texts(&given("a.b=0.01..100.0/5log").unwrap()),
             ["0.01", "0.1", "1.0", "10.0", "100.0"]
         );
-        assert_eq!(texts(&said("a.b=[1, 2],[3]").unwrap()), ["[1, 2]", "[3]"]);
-        assert_eq!(texts(&said("a.b=on,true").unwrap()), ["\"on\"", "true"]);
+        assert_eq!(texts(&given("a.b=[1, 2],[3]").unwrap()), ["[1, 2]", "[3]"]);
+        assert_eq!(texts(&given("a.b=on,true").unwrap()), ["\"on\"", "true"]);
         for wrong in ["a.b=", "ab=1", "a.b", "=1"] {
-            assert!(said(wrong).is_err(), "{wrong}");
+            assert!(given(wrong).is_err(), "{wrong}");
         }
     }
 

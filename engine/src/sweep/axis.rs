@@ -29,7 +29,7 @@ pub enum AxisError {
     #[error(
         "`--sweep {0}`: give NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values from 2 to 8), with `log` behind it for equal ratios"
     )]
-    Said(String),
+    Given(String),
     /// A range without the number of its values.
     #[error("`--sweep {0}`: give how many values: {0}/5 is five, with both ends")]
     HowMany(String),

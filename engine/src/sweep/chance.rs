@@ -26,7 +26,7 @@ pub(super) fn interval(values: &[f64]) -> Option<[f64; 2]> {
     Some([about - reach, about + reach])
 }
 
-/// The value under which Student's t of some degrees of freedom (one or more) lies with probability `p` (above 0.5), by
+/// The value under which Student's t of some degrees of freedom (one or more) is with probability `p` (above 0.5), by
 /// halving; its distribution by Abramowitz and Stegun 26.7.3 and 26.7.4.
 fn t_quantile(p: f64, free: usize) -> f64 {
     let within = |t: f64| {

@@ -1,13 +1,13 @@
 //! A sweep as one page: each number over each param, maps, all of them side by side, what differs, its tables.
 
 use super::cells::{cell, columns, params, short, trouble};
+use super::given::{pairs_head, pairs_row, spread_cells};
 use super::paired::{Pairs, of_variants};
 use super::plot::{Plot, References, plots};
+use super::reported::Reported;
 use super::row::Row;
-use super::said::{pairs_head, pairs_row, spread_cells};
 use super::spread::{Group, spread};
 use super::table::{as_csv, summary};
-use super::told::Told;
 use crate::page;
 use serde_json::json;
 
@@ -63,9 +63,9 @@ pub fn page(
     references: &References<'_>,
     behind: &dyn Fn(&Row) -> Behind,
 ) -> Shown {
-    let told: Vec<Told> = rows.iter().map(Told::of).collect();
-    let repeated = told.iter().any(|t| t.replicate.is_some());
-    let groups = spread(&told);
+    let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
+    let repeated = reported.iter().any(|t| t.replicate.is_some());
+    let groups = spread(&reported);
     let plots = plots(&groups, references);
     let title = if about.is_empty() { name } else { about };
     let mut body = format!(
@@ -95,7 +95,7 @@ pub fn page(
     }
     if repeated {
         body += &section("Replicates", &spread_table(&groups));
-        for ([first, second], pairs) in of_variants(&told) {
+        for ([first, second], pairs) in of_variants(&reported) {
             body += &pairs_section(&first, &second, &pairs);
         }
     }
@@ -176,9 +176,11 @@ fn still(groups: &[Group]) -> String {
     let mut same = Vec::new();
     let spreads = groups.first().map_or(&[][..], |g| &g.spreads);
     for (k, spread) in spreads.iter().enumerate().filter(|_| groups.len() > 1) {
-        let mut told = groups.iter().filter_map(|g| g.spreads[k].mean);
-        let Some(value) = told.next() else { continue };
-        if told.all(|v| v == value) {
+        let mut reported = groups.iter().filter_map(|g| g.spreads[k].mean);
+        let Some(value) = reported.next() else {
+            continue;
+        };
+        if reported.all(|v| v == value) {
             let unit = match spread.unit.is_empty() {
                 true => String::new(),
                 false => format!(" [{}]", spread.unit),

@@ -1,7 +1,7 @@
 //! Whether two methods differ: the same points by both, replicate by replicate.
 
 use super::chance::{deviation, interval, mean, sign_test};
-use super::told::{Told, metrics};
+use super::reported::{Reported, metrics};
 use serde_json::{Value, json};
 
 /// Up to here a difference is said to be none of chance, one time in twenty wrongly.
@@ -56,15 +56,15 @@ impl Pairs {
 }
 
 /// Params, and the points of both sides that have them.
-type Matched<'a> = (&'a [(String, String)], Vec<(&'a Told, &'a Told)>);
+type Matched<'a> = (&'a [(String, String)], Vec<(&'a Reported, &'a Reported)>);
 
 /// The second side against the first: of each set of params with replicates one entry a metric; where no point says a
 /// replicate, all points that both have are the pairs.
-pub fn paired(first: &[Told], second: &[Told]) -> Vec<Pairs> {
+pub fn paired(first: &[Reported], second: &[Reported]) -> Vec<Pairs> {
     let repeated = first.iter().chain(second).any(|t| t.replicate.is_some());
     let mut groups: Vec<Matched<'_>> = Vec::new();
     for a in first {
-        let same = |b: &&Told| b.params == a.params && b.replicate == a.replicate;
+        let same = |b: &&Reported| b.params == a.params && b.replicate == a.replicate;
         let Some(b) = second.iter().find(same) else {
             continue;
         };
@@ -84,7 +84,7 @@ pub fn paired(first: &[Told], second: &[Told]) -> Vec<Pairs> {
 fn one(
     params: &[(String, String)],
     (name, unit): &(String, String),
-    pairs: &[(&Told, &Told)],
+    pairs: &[(&Reported, &Reported)],
 ) -> Pairs {
     let (mut both, mut alone) = (Vec::new(), [0; 3]);
     for (a, b) in pairs {
@@ -115,14 +115,14 @@ fn one(
 }
 
 /// The variants of a sweep against its first: the names of both, and what came of it.
-pub fn of_variants(all: &[Told]) -> Vec<([String; 2], Vec<Pairs>)> {
+pub fn of_variants(all: &[Reported]) -> Vec<([String; 2], Vec<Pairs>)> {
     let mut variants: Vec<&String> = Vec::new();
     for variant in all.iter().filter_map(|t| t.variant.as_ref()) {
         if !variants.contains(&variant) {
             variants.push(variant);
         }
     }
-    let of = |variant: &String| -> Vec<Told> {
+    let of = |variant: &String| -> Vec<Reported> {
         let own = all.iter().filter(|t| t.variant.as_ref() == Some(variant));
         own.cloned().collect()
     };
@@ -141,8 +141,8 @@ pub fn of_variants(all: &[Told]) -> Vec<([String; 2], Vec<Pairs>)> {
 mod tests {
     use super::*;
 
-    fn told(replicate: u32, value: Option<f64>) -> Told {
-        Told {
+    fn reported(replicate: u32, value: Option<f64>) -> Reported {
+        Reported {
             variant: None,
             params: vec![("sway.sway_mm".into(), "8".into())],
             replicate: Some(replicate),
@@ -174,9 +174,9 @@ mod tests {
             Some(5.4),
             None,
         ];
-        let side = |values: &[Option<f64>]| -> Vec<Told> {
+        let side = |values: &[Option<f64>]| -> Vec<Reported> {
             let all = values.iter().zip(1..);
-            all.map(|(v, n)| told(n, *v)).collect()
+            all.map(|(v, n)| reported(n, *v)).collect()
         };
         let mut shuffled = side(&second);
         shuffled.reverse();

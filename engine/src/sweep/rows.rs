@@ -37,7 +37,7 @@ pub(super) struct Rows<'a> {
     /// One entry a node of the whole.
     nodes: Vec<Option<Done>>,
     /// Whether the node stands in a row already: it is found in all others.
-    told: Vec<bool>,
+    reported: Vec<bool>,
     /// How many nodes of the next point are known to be done.
     done: usize,
     /// When the row before was there.
@@ -60,7 +60,7 @@ impl<'a> Rows<'a> {
             common,
             points: points.into_iter().peekable(),
             nodes: vec![None; nodes],
-            told: vec![false; nodes],
+            reported: vec![false; nodes],
             done: 0,
             since,
             id: Some(id),
@@ -194,7 +194,7 @@ impl<'a> Rows<'a> {
     /// A node of the whole as a row has it: what was made for another row is found in this one.
     fn taken(&mut self, place: usize) -> Option<Done> {
         let mut done = self.nodes[place].clone()?;
-        let before = std::mem::replace(&mut self.told[place], true);
+        let before = std::mem::replace(&mut self.reported[place], true);
         if before && done.status == Status::Executed {
             done.status = Status::Hit;
         }

@@ -131,8 +131,8 @@ impl Batch {
         let (job, around) = (&job, &around);
         std::thread::scope(|scope| {
             let walk = scope.spawn(move || {
-                let told = |node: usize, done: &Done| _ = sender.send((node, done.clone()));
-                walk_told(job, around, &told)
+                let reported = |node: usize, done: &Done| _ = sender.send((node, done.clone()));
+                walk_told(job, around, &reported)
             });
             rows.hear(&heard, tell)?;
             let nodes = walk.join().expect("bug: a worker panicked");

@@ -1,7 +1,7 @@
 //! Replicates of a point as one: how many there are, what they come to, and how far they scatter.
 
 use super::chance::{deviation, interval, mean};
-use super::told::{Told, metrics};
+use super::reported::{Reported, metrics};
 use serde_json::{Value, json};
 
 /// Points that differ in their replicate alone.
@@ -43,10 +43,10 @@ pub struct Spread {
 }
 
 /// Groups in the order in which their first points come.
-pub fn spread(all: &[Told]) -> Vec<Group> {
-    let mut groups: Vec<(&Told, Vec<&Told>, Vec<usize>)> = Vec::new();
+pub fn spread(all: &[Reported]) -> Vec<Group> {
+    let mut groups: Vec<(&Reported, Vec<&Reported>, Vec<usize>)> = Vec::new();
     for (place, point) in all.iter().enumerate() {
-        let same = |of: &Told| of.variant == point.variant && of.params == point.params;
+        let same = |of: &Reported| of.variant == point.variant && of.params == point.params;
         // Replicates follow each other.
         match groups.iter_mut().rev().find(|(first, ..)| same(first)) {
             Some((_, members, places)) => {
@@ -57,7 +57,7 @@ pub fn spread(all: &[Told]) -> Vec<Group> {
         }
     }
     let metrics = metrics(all.iter());
-    let group = |(first, members, places): (&Told, Vec<&Told>, Vec<usize>)| Group {
+    let group = |(first, members, places): (&Reported, Vec<&Reported>, Vec<usize>)| Group {
         places,
         variant: first.variant.clone(),
         params: first.params.clone(),
@@ -68,7 +68,7 @@ pub fn spread(all: &[Told]) -> Vec<Group> {
     groups.into_iter().map(group).collect()
 }
 
-fn of((name, unit): &(String, String), members: &[&Told]) -> Spread {
+fn of((name, unit): &(String, String), members: &[&Reported]) -> Spread {
     let values: Vec<f64> = members.iter().filter_map(|t| t.value(name)).collect();
     let done = members.iter().filter(|t| t.done).count();
     let own = match members {

@@ -1,11 +1,11 @@
 //! The rows of a sweep as text, CSV and JSON.
 
 use super::cells::{cell, columns, params, short, trouble};
+use super::given::{pairs_text, replicates_text};
 use super::paired::{Pairs, of_variants};
+use super::reported::Reported;
 use super::row::{End, Row};
-use super::said::{pairs_text, replicates_text};
 use super::spread::{Group, spread};
-use super::told::Told;
 use crate::text::count;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -16,12 +16,12 @@ pub fn text(about: &str, rows: &[Row]) -> String {
     if !about.is_empty() {
         let _ = writeln!(text, "{about}");
     }
-    let told: Vec<Told> = rows.iter().map(Told::of).collect();
-    match told.iter().any(|t| t.replicate.is_some()) {
+    let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
+    match reported.iter().any(|t| t.replicate.is_some()) {
         false => text += &of_points(rows),
         true => {
-            text += &replicates_text(&spread(&told));
-            for ([first, second], pairs) in of_variants(&told) {
+            text += &replicates_text(&spread(&reported));
+            for ([first, second], pairs) in of_variants(&reported) {
                 text += &pairs_text(&first, &second, &pairs);
             }
             let failed = rows.iter().filter_map(|r| Some((r, trouble(r)?)));
@@ -137,12 +137,12 @@ pub fn as_csv(lines: Vec<Vec<String>>) -> String {
 
 /// Replicates and comparisons of variants as tables, a line a set of params and metric; nothing without replicates.
 pub fn statistics(rows: &[Row]) -> Vec<(String, String)> {
-    let told: Vec<Told> = rows.iter().map(Told::of).collect();
-    if told.iter().all(|t| t.replicate.is_none()) {
+    let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
+    if reported.iter().all(|t| t.replicate.is_none()) {
         return vec![];
     }
     let text = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
-    let groups = spread(&told);
+    let groups = spread(&reported);
     let names = groups
         .first()
         .map_or(vec![], |g| g.params.iter().map(|p| p.0.clone()).collect());
@@ -186,7 +186,7 @@ pub fn statistics(rows: &[Row]) -> Vec<(String, String)> {
         "exact",
     ];
     let mut pairs = vec![head(&["first", "second"], &tail)];
-    for ([first, second], all) in of_variants(&told) {
+    for ([first, second], all) in of_variants(&reported) {
         for p in &all {
             let mut line = vec![first.clone(), second.clone()];
             line.extend(p.params.iter().map(|p| p.1.clone()));
@@ -226,14 +226,14 @@ pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
         "program": program, "sweep": name, "about": about,
         "points": rows.iter().map(row).collect::<Vec<_>>(), "summary": summary(rows),
     });
-    let told: Vec<Told> = rows.iter().map(Told::of).collect();
-    if told.iter().any(|t| t.replicate.is_some()) {
-        sweep["replicates"] = spread(&told).iter().map(Group::json).collect();
+    let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
+    if reported.iter().any(|t| t.replicate.is_some()) {
+        sweep["replicates"] = spread(&reported).iter().map(Group::json).collect();
         let against = |([first, second], pairs): &([String; 2], Vec<Pairs>)| {
             let pairs: Vec<Value> = pairs.iter().map(Pairs::json).collect();
             json!({ "first": first, "second": second, "pairs": pairs })
         };
-        sweep["paired"] = of_variants(&told).iter().map(against).collect();
+        sweep["paired"] = of_variants(&reported).iter().map(against).collect();
     }
     sweep
 }

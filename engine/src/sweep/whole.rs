@@ -58,12 +58,12 @@ impl Whole {
         folders: &[(String, PathBuf)],
         store: &Store,
     ) -> Result<Vec<usize>, EngineError> {
-        let said = |input: &InputDecl| {
-            let said = folders.iter().find(|(name, _)| *name == input.name);
-            said.map(|(_, folder)| folder.clone()).unwrap_or_default()
+        let given = |input: &InputDecl| {
+            let given = folders.iter().find(|(name, _)| *name == input.name);
+            given.map(|(_, folder)| folder.clone()).unwrap_or_default()
         };
         let all: Vec<(InputDecl, PathBuf)> =
-            graph.inputs.iter().map(|i| (i.clone(), said(i))).collect();
+            graph.inputs.iter().map(|i| (i.clone(), given(i))).collect();
         let is_known = |one: &(InputDecl, PathBuf)| self.inputs.contains(one);
         // The first graph's folders are looked at even if it reads none: some may be unknown.
         if self.like.is_none() || !all.iter().all(is_known) {

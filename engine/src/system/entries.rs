@@ -1,6 +1,6 @@
-//! What may lie in a folder, and what a file is called while it is written.
+//! What may be in a folder, and what a file is called while it is written.
 
-/// What may lie in a folder; all else is let be.
+/// What may be in a folder; all else is let be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FileKind {
     /// A plain file.

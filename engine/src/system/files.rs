@@ -1,6 +1,6 @@
 //! Files and folders for the owner only, and what the system knows of a file.
 //!
-//! Where a system has no modes, what is made has the rights of the folder that it lies in: those of the
+//! Where a system has no modes, what is made has the rights of the folder that it is in: those of the
 //! user's own profile, as a rule.
 
 use std::fs::{DirBuilder, File, Metadata, OpenOptions};

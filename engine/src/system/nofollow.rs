@@ -45,7 +45,7 @@ pub(crate) fn within(at: &Folder, name: &str) -> Result<Folder> {
     Ok(openat(at, name, FOLDER | OFlags::NOFOLLOW, Mode::empty())?)
 }
 
-/// What lies in a folder, is of this kind and fits by its name; sorted.
+/// What is in a folder, is of this kind and fits by its name; sorted.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! All that lies below a folder, met, opened and removed by descriptors: never through a link, whatever is put
+//! All that is below a folder, met, opened and removed by descriptors: never through a link, whatever is put
 //! in the place of what was there.
 
 use crate::system::Stamp;
@@ -42,7 +42,7 @@ fn stamp(stat: &Stat) -> Stamp {
     }
 }
 
-/// Meets all that lies below a folder, as long as `meet` goes on; what goes away meanwhile is passed over.
+/// Meets all that is below a folder, as long as `meet` goes on; what goes away meanwhile is passed over.
 ///
 /// # Errors
 ///
@@ -81,15 +81,15 @@ pub(crate) fn walk(at: &Folder, meet: &mut dyn FnMut(&Met) -> bool) -> Result<()
         if kind != FileType::Directory {
             continue;
         }
-        let told = |why: Error| Error::new(why.kind(), format!("{}: {why}", met.path));
+        let reported = |why: Error| Error::new(why.kind(), format!("{}: {why}", met.path));
         let inner = match openat(&*folder, raw, FOLDER | OFlags::NOFOLLOW, Mode::empty()) {
             Err(Errno::NOENT | Errno::NOTDIR | Errno::LOOP) => continue,
-            inner => inner.map_err(|why| told(why.into()))?,
+            inner => inner.map_err(|why| reported(why.into()))?,
         };
         if open.len() > DEEPEST_FOLDERS {
             return Err(too_deep());
         }
-        let dir = Dir::read_from(&inner).map_err(|why| told(why.into()))?;
+        let dir = Dir::read_from(&inner).map_err(|why| reported(why.into()))?;
         open.push((format!("{}/", met.path), dir, inner));
     }
     Ok(())
@@ -111,7 +111,7 @@ pub(crate) fn open_file(at: &Folder, path: &str) -> Result<File> {
     }
 }
 
-/// Whether less of a file lies on the disk than its size says; not where the system does not tell.
+/// Whether less of a file is on the disk than its size says; not where the system does not tell.
 pub(crate) fn has_hole(file: &File, size: u64) -> bool {
     let hole = seek(file, SeekFrom::Hole(0));
     let back = seek(file, SeekFrom::Start(0));
@@ -172,7 +172,7 @@ fn unlinked(at: &Folder, name: &std::ffi::CStr) -> Result<bool> {
     }
 }
 
-/// Removes all that lies in a folder, whatever its modes and however deep: folders are moved up, one level
+/// Removes all that is in a folder, whatever its modes and however deep: folders are moved up, one level
 /// after the other, so that no depth needs more open files.
 pub(crate) fn empty(top: &Folder) -> Result<()> {
     let mut moved = 0usize;

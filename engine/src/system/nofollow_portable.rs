@@ -52,7 +52,7 @@ fn kind(path: &Path) -> Option<FileKind> {
     }
 }
 
-/// What lies in a folder, is of this kind and fits by its name; sorted.
+/// What is in a folder, is of this kind and fits by its name; sorted.
 ///
 /// # Errors
 ///
@@ -151,7 +151,7 @@ pub(crate) fn same(a: &Folder, b: &Folder) -> bool {
     a.0 == b.0
 }
 
-/// Meets all that lies below a folder, as long as `meet` goes on; what goes away meanwhile is passed over.
+/// Meets all that is below a folder, as long as `meet` goes on; what goes away meanwhile is passed over.
 ///
 /// # Errors
 ///
@@ -195,7 +195,7 @@ pub(crate) fn open_file(at: &Folder, path: &str) -> Result<File> {
     }
 }
 
-/// Whether less of a file lies on the disk than its size says; the system is not asked.
+/// Whether less of a file is on the disk than its size says; the system is not asked.
 pub(crate) fn has_hole(_file: &File, _size: u64) -> bool {
     false
 }
@@ -206,7 +206,7 @@ fn writable(path: &Path) -> Result<()> {
     fs::set_permissions(path, permissions)
 }
 
-/// Removes all that lies in a folder; what may not be written to is first made so.
+/// Removes all that is in a folder; what may not be written to is first made so.
 pub(crate) fn empty(top: &Folder) -> Result<()> {
     let mut below = Vec::new();
     walk(top, &mut |met| {

@@ -39,7 +39,7 @@ fn what_is_done_of_a_plan_is_asked_at_once_and_not_once_a_record() {
     }
     assert_eq!(sharing.finish(Duration::from_secs(20)).waiting, 0);
     bucket.requests();
-    let (sharing, said) = begun(&b, &bucket, true);
+    let (sharing, printed) = begun(&b, &bucket, true);
     let there = state(&plan, &b);
     // Whose store it is, what it has, and the one record that others read.
     assert_eq!(bucket.requests(), 3);
@@ -47,7 +47,7 @@ fn what_is_done_of_a_plan_is_asked_at_once_and_not_once_a_record() {
     let done: Vec<usize> = (0..61).filter(|at| there.done[*at]).collect();
     assert_eq!(done, (0..40).collect::<Vec<_>>());
     assert_eq!(state(&plan, &a), there, "as by the cache that has all");
-    assert_eq!(said.lock().unwrap().len(), 0);
+    assert_eq!(printed.lock().unwrap().len(), 0);
     // Nobody who is trusted signed any of it.
     let sharing = trusting(&c, &bucket, "lab");
     assert_eq!(state(&plan, &c).done_in(0..61), 0);

@@ -183,17 +183,17 @@ fn what_has_no_end_or_is_no_plain_file_is_not_extended() {
     ] {
         let path = folder.path().join("own.toml");
         std::fs::write(&path, format!("extends = \"{name}\"\n")).unwrap();
-        let (told, hears) = std::sync::mpsc::channel();
+        let (reported, hears) = std::sync::mpsc::channel();
         std::thread::spawn(move || {
             let read = Pipeline::read(&path, &CATALOG);
             let read = read.and_then(|read| read.graph(&Overrides::default()));
-            told.send(read.err().map(|mistakes| mistakes.to_string()))
+            reported.send(read.err().map(|mistakes| mistakes.to_string()))
         });
-        let told = hears.recv_timeout(std::time::Duration::from_secs(10));
-        let told = told.expect("it is refused at once").unwrap_or_default();
+        let reported = hears.recv_timeout(std::time::Duration::from_secs(10));
+        let reported = reported.expect("it is refused at once").unwrap_or_default();
         assert!(
-            told.contains(&format!("`{name}` ")) && told.contains(why),
-            "{told}"
+            reported.contains(&format!("`{name}` ")) && reported.contains(why),
+            "{reported}"
         );
     }
 }
@@ -211,11 +211,14 @@ fn of_a_file_that_is_no_toml_nothing_is_quoted() {
     let read = Pipeline::read(&path, &CATALOG);
     let read = read.and_then(|read| read.graph(&Overrides::default()));
     let mistakes = read.err().expect("it is no pipeline");
-    let told = format!("{mistakes}{}", mistakes.json());
+    let reported = format!("{mistakes}{}", mistakes.json());
     assert!(
-        told.contains("`accounts` is no TOML: line 2, column 14"),
-        "{told}"
+        reported.contains("`accounts` is no TOML: line 2, column 14"),
+        "{reported}"
     );
-    assert!(told.contains("own.toml:1:11"), "{told}");
-    assert!(!told.contains("secret") && !told.contains("root"), "{told}");
+    assert!(reported.contains("own.toml:1:11"), "{reported}");
+    assert!(
+        !reported.contains("secret") && !reported.contains("root"),
+        "{reported}"
+    );
 }

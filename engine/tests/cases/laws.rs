@@ -90,7 +90,7 @@ fn a_plan_holds_and_a_run_makes_no_more_than_it_must_and_what_a_fresh_run_would(
             for (i, node) in graph.nodes.iter().enumerate() {
                 let (done, planned) =
                     (run.nodes[i].as_ref().unwrap(), planned[i].as_ref().unwrap());
-                let said = format!(
+                let printed = format!(
                     "round {round}, change {change}, {}: {:?} {:?}",
                     node.name, planned.state, done.status
                 );
@@ -100,21 +100,21 @@ fn a_plan_holds_and_a_run_makes_no_more_than_it_must_and_what_a_fresh_run_would(
                     State::Stale(why) => why.iter().all(|(w, ..)| w != "result") || change != 4,
                     _ => false,
                 };
-                assert!(!certain || made, "certain: {said}");
+                assert!(!certain || made, "certain: {printed}");
                 assert!(
                     planned.state != State::Cached || !made,
-                    "not to be made: {said}"
+                    "not to be made: {printed}"
                 );
                 let oracle = fresh.nodes[i].as_ref().unwrap();
                 assert_eq!(
                     (done.key, done.content),
                     (oracle.key, oracle.content),
-                    "{said}"
+                    "{printed}"
                 );
                 let new = known.insert(*done.key.unwrap().as_bytes());
                 assert!(
                     change == 4 || !made || new,
-                    "made again without need: {said}"
+                    "made again without need: {printed}"
                 );
             }
         }

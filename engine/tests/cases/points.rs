@@ -158,7 +158,7 @@ fn a_stopped_sweep_goes_on_and_added_points_make_only_what_is_new() {
 
 #[test]
 fn rows_are_those_of_one_thread_whatever_the_threads() {
-    let told = |threads: usize| {
+    let reported = |threads: usize| {
         let place = Place::new();
         let grid = GRID.replace("[1, 2]", "[1, 13, 2]");
         let (rows, _) = place.sweep_on(threads, &grid, 99);
@@ -173,10 +173,10 @@ fn rows_are_those_of_one_thread_whatever_the_threads() {
         };
         rows.iter().map(one).collect::<Vec<_>>()
     };
-    let one = told(1);
+    let one = reported(1);
     assert_eq!(one.iter().map(|r| r.3).sum::<usize>(), 9);
     for threads in [2, 8] {
-        assert_eq!(told(threads), one, "{threads}");
+        assert_eq!(reported(threads), one, "{threads}");
     }
 }
 

@@ -85,15 +85,15 @@ fn mistakes_of_a_sweep_are_told_with_their_places() {
         ("over.mid = { n = [] }", 2, "takes no value"),
     ] {
         let text = format!("{PIPELINE}[sweep.s]\n{declared}\n");
-        let Err(told) = open_text("toy.toml", &text, &Overrides::default(), &CATALOG) else {
+        let Err(reported) = open_text("toy.toml", &text, &Overrides::default(), &CATALOG) else {
             panic!("{declared}: no mistake was found");
         };
-        let told = told.json()["mistakes"][0].clone();
+        let reported = reported.json()["mistakes"][0].clone();
         let line = PIPELINE.lines().count() + place;
         assert!(
-            told["what"].as_str().unwrap().contains(what),
-            "{declared}: {told}"
+            reported["what"].as_str().unwrap().contains(what),
+            "{declared}: {reported}"
         );
-        assert_eq!(told["line"], line, "{declared}: {told}");
+        assert_eq!(reported["line"], line, "{declared}: {reported}");
     }
 }

@@ -5,7 +5,7 @@ use crate::toys::CATALOG;
 use engine::Options;
 use engine::graph::Graph;
 use engine::recipe::{Overrides, open_text};
-use engine::sweep::{self, Axis, End, Points, Replicates, Row, Sweeping, Told, axes, spread};
+use engine::sweep::{self, Axis, End, Points, Replicates, Reported, Row, Sweeping, axes, spread};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
@@ -41,7 +41,7 @@ fn open(variant: Option<&str>, sets: &[String]) -> Graph {
 
 fn repeated(times: u32, variants: &[&str], axes: &[&str]) -> Result<Points, String> {
     let graphs: Vec<Graph> = variants.iter().map(|v| open(Some(v), &[])).collect();
-    let axes: Vec<Axis> = axes.iter().map(|a| axes::said(a).unwrap()).collect();
+    let axes: Vec<Axis> = axes.iter().map(|a| axes::given(a).unwrap()).collect();
     let of = Replicates::of(times, &graphs, &[], &axes).map_err(|e| e.to_string())?;
     let names = variants.iter().map(|v| Some((*v).to_owned())).collect();
     Ok(Points::new(&graphs[0], names, axes).repeated(of))
@@ -93,8 +93,8 @@ fn replicates_take_the_next_seeds_alike_in_all_variants_and_share_what_is_equal(
         ],
         "what the goal does not need (aside) is left as it is"
     );
-    let told: Vec<Told> = rows.iter().map(Told::of).collect();
-    let groups = spread(&told);
+    let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
+    let groups = spread(&reported);
     assert_eq!(groups.len(), 2);
     let sum = &groups[0].spreads[0];
     // Seeds 2, 3, 5, 6 tell it; 4 refuses, 7 fails.
@@ -107,7 +107,7 @@ fn replicates_take_the_next_seeds_alike_in_all_variants_and_share_what_is_equal(
         matches!(&rows[5].end, End::Failed(node, why) if node == "noise" && why.contains("seven"))
     );
     let read = sweep::json("toys 1", "s", "", &rows);
-    assert_eq!(Told::read(&read).unwrap(), told);
+    assert_eq!(Reported::read(&read).unwrap(), reported);
     assert_eq!(read["replicates"][0]["metrics"][0]["refused"], 1);
 }
 
@@ -140,21 +140,21 @@ fn replicates_that_cannot_be_are_refused() {
         .replace("toy.noise", "toy.mid")
         .replace("with = { seed = 2 }", "");
     let text = format!("{still}[sweep.s]\nover.last = {{ n = [1, 2] }}\nreplicate = 4\n");
-    let Err(told) = open_text("toy.toml", &text, &Overrides::default(), &CATALOG) else {
+    let Err(reported) = open_text("toy.toml", &text, &Overrides::default(), &CATALOG) else {
         panic!("replicates of nothing were taken");
     };
-    let told = told.json()["mistakes"][0].clone();
+    let reported = reported.json()["mistakes"][0].clone();
     assert!(
-        told["what"]
+        reported["what"]
             .as_str()
             .unwrap()
             .contains("all replicates would be the same"),
-        "{told}"
+        "{reported}"
     );
-    assert_eq!(told["line"], still.lines().count() + 3, "{told}");
+    assert_eq!(reported["line"], still.lines().count() + 3, "{reported}");
     let text = format!("{PIPELINE}[sweep.s]\nreplicate = 1\n");
-    let Err(told) = open_text("toy.toml", &text, &Overrides::default(), &CATALOG) else {
+    let Err(reported) = open_text("toy.toml", &text, &Overrides::default(), &CATALOG) else {
         panic!("one replicate was taken");
     };
-    assert!(told.to_string().contains("2 to 10000"), "{told}");
+    assert!(reported.to_string().contains("2 to 10000"), "{reported}");
 }

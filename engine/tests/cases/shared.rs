@@ -13,12 +13,12 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// What was said to the user.
-pub(crate) type Said = Arc<Mutex<Vec<String>>>;
+pub(crate) type Printed = Arc<Mutex<Vec<String>>>;
 
 /// A cache's use of a bucket.
-pub(crate) fn begun(cache: &Path, bucket: &Bucket, read_only: bool) -> (Sharing, Said) {
-    let said = Said::default();
-    let to = said.clone();
+pub(crate) fn begun(cache: &Path, bucket: &Bucket, read_only: bool) -> (Sharing, Printed) {
+    let printed = Printed::default();
+    let to = printed.clone();
     let say = move |line: &str| to.lock().unwrap().push(line.to_owned());
     let manner = Manner {
         read_only,
@@ -26,7 +26,7 @@ pub(crate) fn begun(cache: &Path, bucket: &Bucket, read_only: bool) -> (Sharing,
         ..Manner::default()
     };
     let sharing = Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(say));
-    (sharing.unwrap(), said)
+    (sharing.unwrap(), printed)
 }
 
 /// What a run of [`chain`] makes in a cache that shares a bucket; what was left to upload; what was said.
@@ -36,11 +36,11 @@ pub(crate) fn shared(
     bucket: &Bucket,
     n: i64,
 ) -> (Vec<String>, Left, Vec<String>) {
-    let (sharing, said) = begun(cache, bucket, false);
+    let (sharing, printed) = begun(cache, bucket, false);
     let made = place.run_in(&chain(n), cache, 2);
     let left = sharing.finish(Duration::from_secs(20));
-    let said = said.lock().unwrap().clone();
-    (made, left, said)
+    let printed = printed.lock().unwrap().clone();
+    (made, left, printed)
 }
 
 pub(crate) fn caches<const N: usize>(place: &Place) -> [PathBuf; N] {
@@ -75,9 +75,9 @@ fn what_one_makes_another_finds_with_the_bytes_of_a_run_alone() {
         let place = Place::new(&text);
         let bucket = Bucket::new();
         let [a, b, c] = caches(&place);
-        let (made, left, said) = shared(&place, &a, &bucket, 1);
+        let (made, left, printed) = shared(&place, &a, &bucket, 1);
         assert_eq!(
-            (made.as_slice(), said),
+            (made.as_slice(), printed),
             (ALL.map(str::to_owned).as_slice(), vec![])
         );
         assert_eq!(
@@ -89,13 +89,13 @@ fn what_one_makes_another_finds_with_the_bytes_of_a_run_alone() {
                 why: None
             }
         );
-        let (made, left, said) = shared(&place, &b, &bucket, 1);
-        assert_eq!((made, said), (vec![], vec![]));
+        let (made, left, printed) = shared(&place, &b, &bucket, 1);
+        assert_eq!((made, printed), (vec![], vec![]));
         assert_eq!((left.sent, left.waiting), (0, 0));
         place.run_in(&chain(1), &c, 2);
         let alone = shelf(&c, "cas");
         assert_eq!(shelf(&a, "cas"), alone);
-        // Of what lies between only the content is known: nobody has read it.
+        // Of what is between only the content is known: nobody has read it.
         for blob in shelf(&b, "cas") {
             assert!(alone.contains(&blob));
         }
@@ -145,10 +145,10 @@ fn a_sweep_of_a_thousand_points_that_is_made_asks_little() {
     let goal: Vec<&str> = names.iter().map(String::as_str).collect();
     let graph = graph(&goal, &nodes);
     let run = |cache: &Path| {
-        let (sharing, said) = begun(cache, &bucket, false);
+        let (sharing, printed) = begun(cache, &bucket, false);
         let made = place.run_in(&graph, cache, 2).len();
         let left = sharing.finish(Duration::from_secs(60));
-        assert_eq!((left.waiting, said.lock().unwrap().clone()), (0, vec![]));
+        assert_eq!((left.waiting, printed.lock().unwrap().clone()), (0, vec![]));
         (made, bucket.requests())
     };
     let (made, _) = run(&a);
@@ -279,13 +279,13 @@ fn read_only_takes_and_puts_nothing() {
         refuses: Some("nothing is to be written"),
         ..Faults::default()
     });
-    let (sharing, said) = begun(&b, &bucket, true);
+    let (sharing, printed) = begun(&b, &bucket, true);
     assert_eq!(place.run_in(&chain(1), &b, 2), NONE);
     assert_eq!(place.run_in(&chain(2), &b, 2), ["final", "mid"]);
     let left = sharing.finish(Duration::from_secs(5));
     assert_eq!((left.sent, left.waiting), (0, 0));
     assert_eq!(
-        (bucket.names(""), said.lock().unwrap().clone()),
+        (bucket.names(""), printed.lock().unwrap().clone()),
         (before, vec![])
     );
 }

@@ -16,8 +16,8 @@ fn whole(place: &Place, bucket: &Bucket, n: i64) {
     let cache = tempfile::tempdir().unwrap();
     let cache = cache.path().join("fresh");
     bucket.fail(Faults::default());
-    let (made, _, said) = shared(place, &cache, bucket, n);
-    assert_eq!((made, said), (vec![], vec![]));
+    let (made, _, printed) = shared(place, &cache, bucket, n);
+    assert_eq!((made, printed), (vec![], vec![]));
     assert_eq!(keeper::verify(&Store::open(&cache).unwrap()).unwrap(), 0);
 }
 
@@ -36,12 +36,12 @@ fn eight_workers_on_one_key_and_a_tenth_of_all_answers_wrong_come_to_the_same() 
         std::thread::scope(|scope| {
             for cache in &caches {
                 scope.spawn(|| {
-                    let (_, left, said) = shared(&place, cache, &bucket, 1);
-                    assert_eq!(left.waiting, 0, "{left:?} {said:?}");
+                    let (_, left, printed) = shared(&place, cache, &bucket, 1);
+                    assert_eq!(left.waiting, 0, "{left:?} {printed:?}");
                     let odd = |line: &&String| {
                         line.contains("not deterministic") || line.contains("believed")
                     };
-                    assert_eq!(said.iter().find(odd), None);
+                    assert_eq!(printed.iter().find(odd), None);
                 });
             }
         });
@@ -68,7 +68,7 @@ fn a_bucket_that_is_gone_is_told_and_what_waits_goes_there_later() {
         ..Faults::default()
     });
     let start = Instant::now();
-    let (sharing, said) = begun(&a, &bucket, false);
+    let (sharing, printed) = begun(&a, &bucket, false);
     assert_eq!(place.run_in(&chain(1), &a, 2), all());
     let left = sharing.finish(Duration::from_secs(1));
     assert!(
@@ -78,9 +78,9 @@ fn a_bucket_that_is_gone_is_told_and_what_waits_goes_there_later() {
     );
     assert_eq!((left.sent, left.waiting), (0, 4));
     assert_eq!(left.why.as_deref(), Some("connection refused"));
-    let said = said.lock().unwrap().clone();
-    assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].contains("memory://bucket") && said[0].contains("going on without it"));
+    let printed = printed.lock().unwrap().clone();
+    assert_eq!(printed.len(), 1, "{printed:?}");
+    assert!(printed[0].contains("memory://bucket") && printed[0].contains("going on without it"));
     // Sweeping the store here leaves what waits.
     let budget = keeper::Budget {
         most: 0,
@@ -101,7 +101,7 @@ fn a_bucket_that_is_gone_for_a_while_is_waited_for_at_the_end() {
     let place = Place::new("hello\n");
     let bucket = Bucket::new();
     let [a] = caches(&place);
-    let (sharing, said) = begun(&a, &bucket, false);
+    let (sharing, printed) = begun(&a, &bucket, false);
     bucket.fail(Faults {
         gone: true,
         ..Faults::default()
@@ -115,10 +115,10 @@ fn a_bucket_that_is_gone_for_a_while_is_waited_for_at_the_end() {
         sharing.finish(Duration::from_secs(20))
     });
     assert_eq!((back.sent, back.waiting, back.why), (4, 0, None));
-    let said = said.lock().unwrap().clone();
+    let printed = printed.lock().unwrap().clone();
     assert!(
-        said.len() == 2 && said[1].contains("answers again"),
-        "{said:?}"
+        printed.len() == 2 && printed[1].contains("answers again"),
+        "{printed:?}"
     );
     whole(&place, &bucket, 1);
 }
@@ -139,15 +139,16 @@ fn wrong_bytes_are_refused_named_made_again_and_put_right() {
                 bytes[middle] ^= 1;
             });
         }
-        let (made, left, said) = shared(&place, &b, &bucket, 1);
+        let (made, left, printed) = shared(&place, &b, &bucket, 1);
         assert!(
             !made.is_empty() && left.waiting == 0,
             "{shelf}: {made:?} {left:?}"
         );
         assert!(
-            said.iter()
+            printed
+                .iter()
                 .any(|line| line.contains("not believed") && line.contains(shelf)),
-            "{said:?}"
+            "{printed:?}"
         );
         if shelf == "cas" {
             // What nobody read was not noticed; what was is right again.
@@ -155,7 +156,7 @@ fn wrong_bytes_are_refused_named_made_again_and_put_right() {
                 .iter()
                 .zip(&before)
                 .filter(|(n, b)| bucket.bytes(n) == **b);
-            assert!(right.count() >= 2, "{said:?}");
+            assert!(right.count() >= 2, "{printed:?}");
         } else {
             whole(&place, &bucket, 1);
         }
@@ -174,17 +175,17 @@ fn what_is_not_deterministic_is_told_and_the_first_counts_there() {
     );
     place.run_in(&unsteady, &b, 1);
     let run = |cache: &std::path::Path| -> Vec<String> {
-        let (sharing, said) = begun(cache, &bucket, false);
+        let (sharing, printed) = begun(cache, &bucket, false);
         place.run_in(&unsteady, cache, 1);
         sharing.finish(Duration::from_secs(20));
-        said.lock().unwrap().clone()
+        printed.lock().unwrap().clone()
     };
     assert_eq!(run(&a), NONE);
     let there: Vec<Vec<u8>> = bucket.names("ac").iter().map(|n| bucket.bytes(n)).collect();
-    let said = run(&b);
+    let printed = run(&b);
     assert!(
-        said.len() == 1 && said[0].contains("not deterministic"),
-        "{said:?}"
+        printed.len() == 1 && printed[0].contains("not deterministic"),
+        "{printed:?}"
     );
     let now: Vec<Vec<u8>> = bucket.names("ac").iter().map(|n| bucket.bytes(n)).collect();
     assert_eq!(there, now);
@@ -200,11 +201,11 @@ fn a_bucket_that_writes_over_is_noticed_and_used_with_care() {
         ..Faults::default()
     };
     bucket.fail(over());
-    let (_, left, said) = shared(&place, &a, &bucket, 1);
+    let (_, left, printed) = shared(&place, &a, &bucket, 1);
     assert_eq!(left.waiting, 0);
     assert!(
-        said.len() == 1 && said[0].contains("writes over"),
-        "{said:?}"
+        printed.len() == 1 && printed[0].contains("writes over"),
+        "{printed:?}"
     );
     let there = bucket
         .names("ac")
@@ -231,13 +232,13 @@ fn a_bucket_that_refuses_is_told_once_and_what_is_made_waits() {
         refuses: Some("its quota is full"),
         ..Faults::default()
     });
-    let (made, left, said) = shared(&place, &a, &bucket, 2);
+    let (made, left, printed) = shared(&place, &a, &bucket, 2);
     assert_eq!(made, ["final", "mid"]);
     assert_eq!(
         (left.waiting, left.why.as_deref()),
         (2, Some("its quota is full"))
     );
-    assert_eq!(said.len(), 1, "{said:?}");
+    assert_eq!(printed.len(), 1, "{printed:?}");
     bucket.fail(Faults::default());
     assert_eq!(shared(&place, &a, &bucket, 2).1.sent, 2);
 }

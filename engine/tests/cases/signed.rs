@@ -47,8 +47,8 @@ fn run(
     own: Option<&'static str>,
     trusts: Option<&'static str>,
 ) -> (Vec<String>, usize, Vec<String>) {
-    let said = Arc::new(Mutex::new(Vec::new()));
-    let to = said.clone();
+    let printed = Arc::new(Mutex::new(Vec::new()));
+    let to = printed.clone();
     let say = move |line: &str| to.lock().unwrap().push(line.to_owned());
     let manner = Manner {
         read_only: false,
@@ -59,8 +59,8 @@ fn run(
     let made = place.run_in(what, cache, 2);
     let left = sharing.finish(Duration::from_secs(20));
     assert_eq!(left.waiting, 0, "{left:?}");
-    let said = said.lock().unwrap().clone();
-    (made, left.sent, said)
+    let printed = printed.lock().unwrap().clone();
+    (made, left.sent, printed)
 }
 
 /// A cache's use of a bucket that believes what one signed.
@@ -96,15 +96,15 @@ fn what_somebody_trusted_signed_is_used_and_nothing_else() {
         );
         // Somebody else signs two more, and nobody signs them either.
         run(&place, &chain(2), &c, &bucket, Some("eve"), None);
-        let (made, sent, said) = run(&place, &chain(2), &d, &bucket, None, LAB);
+        let (made, sent, printed) = run(&place, &chain(2), &d, &bucket, None, LAB);
         assert_eq!((made, sent), (vec!["final".to_owned(), "mid".into()], 0));
         assert!(
-            said.len() == 1 && said[0].contains("not signed by anybody"),
-            "{said:?}"
+            printed.len() == 1 && printed[0].contains("not signed by anybody"),
+            "{printed:?}"
         );
         // Who signs writes over what it does not believe; then everybody who trusts it finds it.
-        let (made, sent, said) = run(&place, &chain(2), &e, &bucket, LAB, LAB);
-        assert_eq!((made.len(), sent, said.len()), (2, 2, 1), "{said:?}");
+        let (made, sent, printed) = run(&place, &chain(2), &e, &bucket, LAB, LAB);
+        assert_eq!((made.len(), sent, printed.len()), (2, 2, 1), "{printed:?}");
         let [.., f] = caches::<6>(&place);
         assert_eq!(
             run(&place, &chain(2), &f, &bucket, None, LAB),
@@ -172,11 +172,11 @@ fn a_store_that_lies_with_a_true_signature_is_not_believed() {
             bytes.splice(..old.len(), new.into_bytes());
         });
     }
-    let (made, _, said) = run(&place, &unsteady, &c, &false_one, None, LAB);
+    let (made, _, printed) = run(&place, &unsteady, &c, &false_one, None, LAB);
     assert_eq!(made, ["clean", "x"]);
     assert!(
-        said.len() == 1 && said[0].contains("not signed by anybody"),
-        "{said:?}"
+        printed.len() == 1 && printed[0].contains("not signed by anybody"),
+        "{printed:?}"
     );
     assert_eq!(run(&place, &unsteady, &d, &true_one, None, LAB).0, NONE);
     // A signature cut off makes an unsigned record, which is none.

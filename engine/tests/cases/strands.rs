@@ -109,19 +109,31 @@ fn local(place: &Place, point: &Overrides) -> Vec<Option<Hash>> {
 fn what_points_share_is_one_strand_and_every_chain_above_it_one_more() {
     let place = Place::new("hello\n");
     let plan = planned(&place, TEXT, &points(3, 4));
-    let told: Vec<(usize, Vec<&str>)> = plan
+    let reported: Vec<(usize, Vec<&str>)> = plan
         .strands
         .iter()
         .map(|s| (s.layer, s.nodes.iter().map(String::as_str).collect()))
         .collect();
-    assert_eq!(told[0], (0, vec!["clean"]));
-    assert_eq!(told.iter().filter(|s| **s == (1, vec!["mid"])).count(), 3);
-    assert_eq!(told.iter().filter(|s| **s == (1, vec!["other"])).count(), 1);
+    assert_eq!(reported[0], (0, vec!["clean"]));
     assert_eq!(
-        told.iter().filter(|s| **s == (2, vec!["final"])).count(),
+        reported.iter().filter(|s| **s == (1, vec!["mid"])).count(),
+        3
+    );
+    assert_eq!(
+        reported
+            .iter()
+            .filter(|s| **s == (1, vec!["other"]))
+            .count(),
+        1
+    );
+    assert_eq!(
+        reported
+            .iter()
+            .filter(|s| **s == (2, vec!["final"]))
+            .count(),
         12
     );
-    assert_eq!(told.len(), 17);
+    assert_eq!(reported.len(), 17);
     assert_eq!((plan.layers(), plan.layer(1)), (3, 1..5));
     // A run is one point: a strand a goal, and one for what they share.
     let run = planned(&place, TEXT, &points(1, 1));

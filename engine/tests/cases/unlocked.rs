@@ -43,9 +43,9 @@ fn who_comes_second_where_there_are_no_locks_compares_and_the_first_counts() {
             two.map(|t| t.join().unwrap()).into()
         });
         assert_eq!(contents[0], contents[1], "the first counts for both");
-        let told = differ.0.into_inner().unwrap();
-        assert_eq!(told.is_empty(), steady, "{stage}");
-        assert!(told.iter().all(|(node, theirs, ours)| {
+        let reported = differ.0.into_inner().unwrap();
+        assert_eq!(reported.is_empty(), steady, "{stage}");
+        assert!(reported.iter().all(|(node, theirs, ours)| {
             node == "x" && *theirs == contents[0] && *ours != contents[0]
         }));
     }

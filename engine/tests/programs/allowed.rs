@@ -21,14 +21,17 @@ fn runs(place: &Place, nodes: &str, sets: &[&str]) -> Result<(), String> {
 fn nothing_runs_that_was_not_allowed() {
     let place = Place::new();
     place.write("a.sh", "echo $2 $3 > $1\n");
-    let told = runs(&place, NODE, &[]).unwrap_err();
+    let reported = runs(&place, NODE, &[]).unwrap_err();
     let lines = [
         "x: sh {here}/a.sh {out} {with.n} {with.word}",
         "with word = \"a\"",
         "file \"a.sh\"",
         "--allow-exec",
     ];
-    assert!(lines.iter().all(|line| told.contains(line)), "{told}");
+    assert!(
+        lines.iter().all(|line| reported.contains(line)),
+        "{reported}"
+    );
     place.allow(&place.graph(NODE));
     runs(&place, NODE, &[]).unwrap();
     // Numbers may change, what may say anything may not.
@@ -79,8 +82,8 @@ fn a_permission_that_came_with_a_cache_is_none() {
     let file = folder.join(permission.to_hex().as_str());
     std::fs::write(&file, "x: sh\n").unwrap();
     std::fs::set_permissions(&file, PermissionsExt::from_mode(0o600)).unwrap();
-    let told = place.run(&graph, &Nobody, &false.into()).err();
-    assert!(told.expect("it is refused").contains("--allow-exec"));
+    let reported = place.run(&graph, &Nobody, &false.into()).err();
+    assert!(reported.expect("it is refused").contains("--allow-exec"));
 }
 
 #[test]
@@ -89,8 +92,8 @@ fn to_stay_is_a_permission_of_its_own() {
     let node = "[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [\"sh\", \"-c\", \"echo stay > $0\", \"{out}\"]\n";
     place.allow(&place.graph(node));
     runs(&place, node, &[]).unwrap();
-    let told = runs(&place, &format!("{node}keep = true\n"), &[]).unwrap_err();
-    assert!(told.contains("stays for further jobs"), "{told}");
+    let reported = runs(&place, &format!("{node}keep = true\n"), &[]).unwrap_err();
+    assert!(reported.contains("stays for further jobs"), "{reported}");
 }
 
 #[test]
@@ -103,8 +106,8 @@ fn what_it_may_read_and_what_lies_at_its_place_are_parts_of_a_permission() {
         format!("[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [{tool:?}, \"{{out}}\"]\n");
     place.allow(&place.graph(&node));
     runs(&place, &node, &[]).unwrap();
-    let told = runs(&place, &format!("{node}reads = [\"/usr/share\"]\n"), &[]).unwrap_err();
-    assert!(told.contains("may read \"/usr/share\""), "{told}");
+    let reported = runs(&place, &format!("{node}reads = [\"/usr/share\"]\n"), &[]).unwrap_err();
+    assert!(reported.contains("may read \"/usr/share\""), "{reported}");
     place.write("tool", "#!/bin/sh\necho two > $1\n");
     runs(&place, &node, &[]).unwrap_err();
 }
@@ -121,13 +124,13 @@ fn a_file_of_a_nodes_is_no_link_to_what_lies_elsewhere() {
             "[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [\"sh\", \"{{out}}\"]\nfiles = [\"{file}\"]\n"
         )
     };
-    let told = place
+    let reported = place
         .open(&node("model.bin"), &[])
         .err()
         .unwrap_or_default();
     assert!(
-        told.contains("is a link out of the pipeline's folder"),
-        "{told}"
+        reported.contains("is a link out of the pipeline's folder"),
+        "{reported}"
     );
     place.graph(&node("same.bin"));
 }

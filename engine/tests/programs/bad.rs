@@ -58,9 +58,9 @@ fn every_way_to_fail_is_told() {
             "exit code 1; its last lines:\n  | y\n",
         ),
     ];
-    for (line, told) in cases {
+    for (line, reported) in cases {
         let why = place.failure(&shell(line, ""));
-        assert!(why.contains(told), "{line}: {why}");
+        assert!(why.contains(reported), "{line}: {why}");
     }
     let absent = "[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [\"no-such-program-7\", \"{out}\"]\n";
     let why = place.failure(absent);
@@ -260,11 +260,11 @@ fn mistakes_of_a_program_are_told_with_their_places() {
             "must be true or false",
         ),
     ];
-    for (more, told) in cases {
+    for (more, reported) in cases {
         let text = format!("[node.x]\nstage = \"exec\"\nout = \"text\"\n{more}\n");
         let mistakes = place.open(&text, &[]).err().unwrap_or_default();
         assert!(
-            mistakes.contains(told) && mistakes.contains("x.toml:"),
+            mistakes.contains(reported) && mistakes.contains("x.toml:"),
             "{more}: {mistakes}"
         );
     }

@@ -48,7 +48,7 @@ fn one_program_serves_all_points_and_ends_with_them() {
         let sets: Vec<&str> = sets.iter().map(String::as_str).collect();
         place.open(&nodes, &sets)
     };
-    let axes = vec![axes::said("x.n=10,1,11,2,12,13").unwrap()];
+    let axes = vec![axes::given("x.n=10,1,11,2,12,13").unwrap()];
     let sweeping = Sweeping {
         open: &|point| open(&point.overrides(&Overrides::default()).sets),
         nodes: &[],
@@ -102,10 +102,10 @@ fn every_way_to_fail_is_told_and_nobody_stays() {
     let start = Instant::now();
     assert!(failure(4).contains("was ended after 5 s"));
     assert!(start.elapsed().as_secs() < 30);
-    let told = failure(5);
+    let reported = failure(5);
     assert!(
-        told.contains("wrote nothing") && told.contains("| by the way"),
-        "{told}"
+        reported.contains("wrote nothing") && reported.contains("| by the way"),
+        "{reported}"
     );
 }
 
@@ -115,6 +115,6 @@ fn a_program_among_the_nodes_files_cannot_be_kept() {
     place.write("a.sh", "");
     let node = "[node.x]\nstage = \"exec\"\nout = \"text\"\nkeep = true\n\
          command = [\"{here}/a.sh\", \"{out}\"]\nfiles = [\"a.sh\"]\n";
-    let told = place.open(node, &[]).err().unwrap();
-    assert!(told.contains("one that is installed"), "{told}");
+    let reported = place.open(node, &[]).err().unwrap();
+    assert!(reported.contains("one that is installed"), "{reported}");
 }

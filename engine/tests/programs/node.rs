@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Instant;
 
-/// A program that is installed here, of this version; where it lies. It prints its version.
+/// A program that is installed here, of this version; where it is. It prints its version.
 pub(crate) fn installed(place: &Place, version: &str) -> PathBuf {
     for folder in ["tool/bin", "tool/lib"] {
         std::fs::create_dir_all(place.path(folder)).unwrap();
@@ -108,11 +108,11 @@ fn artifacts_are_laid_out_as_their_kinds_are_written() {
 fn a_program_gets_a_cleared_environment_and_a_folder_of_its_own() {
     let place = Place::new();
     let line = "env | sed 's/=.*//' | sort | tr '\\n' ' ' > $1; pwd | sed 's,.*/,,' >> $1; ls -A | wc -l >> $1";
-    let said = place.text(&shell(
+    let printed = place.text(&shell(
         line,
         "env = [\"CARGO_MANIFEST_DIR\", \"NOT_THERE\"]\n",
     ));
-    let names: Vec<&str> = said.split_whitespace().collect();
+    let names: Vec<&str> = printed.split_whitespace().collect();
     let shells = ["PWD", "SHLVL", "_", "OLDPWD", "STAGE_EXEC_FOLDER"];
     let names: Vec<&str> = names.into_iter().filter(|n| !shells.contains(n)).collect();
     let own = ["CARGO_MANIFEST_DIR", "HOME", "LC_ALL", "PATH", "TMPDIR"];

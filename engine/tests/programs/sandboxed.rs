@@ -18,7 +18,7 @@ pub(crate) fn full_sandbox() -> bool {
 }
 
 /// What a line of shell says.
-fn said(place: &Place, line: &str) -> String {
+fn printed(place: &Place, line: &str) -> String {
     place.text(&shell(&format!("({line}) > \"$1\" 2>&1; true"), ""))
 }
 
@@ -28,7 +28,7 @@ fn a_program_has_no_power_even_as_root() {
         return;
     }
     let place = Place::new();
-    let caps = said(
+    let caps = printed(
         &place,
         "grep -E 'Cap(Prm|Eff|Bnd|Amb)|NoNewPrivs' /proc/self/status",
     );
@@ -45,8 +45,8 @@ fn a_program_has_no_power_even_as_root() {
         "unshare --user --map-root-user true",
         "mknod /tmp/disk b 7 0",
     ] {
-        let told = said(&place, &format!("{line} && echo DONE"));
-        assert!(!told.contains("DONE"), "{line}: {told}");
+        let reported = printed(&place, &format!("{line} && echo DONE"));
+        assert!(!reported.contains("DONE"), "{line}: {reported}");
     }
 }
 
@@ -72,13 +72,13 @@ fn a_program_writes_nowhere_but_in_its_own_folders() {
         "$(dirname $1)/../../..",
         "/proc/self/root",
     ] {
-        let told = said(&place, &format!("echo x > {folder}/probe && echo DONE"));
-        assert!(!told.contains("DONE"), "{folder}: {told}");
+        let reported = printed(&place, &format!("echo x > {folder}/probe && echo DONE"));
+        assert!(!reported.contains("DONE"), "{folder}: {reported}");
     }
     // These are its own, empty, and gone with it.
     let own = "for d in /tmp /dev/shm $HOME $TMPDIR .; do ls -A $d; echo x > $d/probe-of-a-program && echo own; done";
     assert_eq!(
-        said(&place, own),
+        printed(&place, own),
         "own\nown\nown\nprobe-of-a-program\nown\nprobe-of-a-program\nown\n"
     );
     assert!(!PathBuf::from("/tmp/probe-of-a-program").exists());
@@ -108,16 +108,16 @@ fn a_program_reaches_no_process_and_no_socket_outside() {
         format!("ls /proc/{id} && echo DONE"),
         format!("kill -9 {id} && echo DONE"),
     ] {
-        let told = said(&place, &line);
-        assert!(!told.contains("DONE"), "{line}: {told}");
+        let reported = printed(&place, &line);
+        assert!(!reported.contains("DONE"), "{line}: {reported}");
     }
     assert!(outside.try_wait().unwrap().is_none(), "it lives");
     outside.kill().unwrap();
     outside.wait().unwrap();
     // Shared memory of System V has no place in the file system.
-    let told = said(&place, "ipcs -m | grep -c 0x; ls /proc | grep -c '^[0-9]'");
-    let counts: Vec<u32> = told.lines().map(|line| line.parse().unwrap()).collect();
-    assert!(counts[0] == 0 && counts[1] < 10, "{told}");
+    let reported = printed(&place, "ipcs -m | grep -c 0x; ls /proc | grep -c '^[0-9]'");
+    let counts: Vec<u32> = reported.lines().map(|line| line.parse().unwrap()).collect();
+    assert!(counts[0] == 0 && counts[1] < 10, "{reported}");
 }
 
 #[test]
@@ -152,11 +152,11 @@ fn what_was_not_declared_is_not_there() {
         "cat /dev/kmsg".to_owned(),
         "cat $(dirname $1)/../../../../format".to_owned(),
     ] {
-        let told = said(&place, &format!("{line} && echo DONE"));
-        assert!(!told.contains("DONE"), "{line}: {told}");
+        let reported = printed(&place, &format!("{line} && echo DONE"));
+        assert!(!reported.contains("DONE"), "{line}: {reported}");
     }
     // The system's programs are.
-    assert!(said(&place, "python3 -c 'import json; print(json.dumps(7))'").contains('7'));
+    assert!(printed(&place, "python3 -c 'import json; print(json.dumps(7))'").contains('7'));
 }
 
 #[test]
@@ -193,10 +193,10 @@ fn disk_is_bounded_wherever_a_program_may_write() {
         "$HOME/x",
     ] {
         let why = place.failure(&shell(&format!("truncate -s 5G {file} && sleep 20"), ""));
-        let told = ["more than 4294 MB", "Read-only", "Permission"]
+        let reported = ["more than 4294 MB", "Read-only", "Permission"]
             .iter()
             .any(|t| why.contains(t));
-        assert!(told, "{file}: {why}");
+        assert!(reported, "{file}: {why}");
     }
 }
 
@@ -284,9 +284,9 @@ fn what_is_declared_to_be_read_is_there_and_its_change_is_noticed() {
     );
     assert!(refused("/no/such/file").contains("No such file"));
     assert!(refused(place.path("").to_str().unwrap()).contains("holds the cache"));
-    let told = place
+    let reported = place
         .open(&shell("echo a > $1", "reads = [\"model\"]\n"), &[])
         .err()
         .unwrap();
-    assert!(told.contains("named by its whole path"), "{told}");
+    assert!(reported.contains("named by its whole path"), "{reported}");
 }

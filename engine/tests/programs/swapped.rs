@@ -1,4 +1,4 @@
-//! A program that stays, and exchanges what lies in its folder between two jobs.
+//! A program that stays, and exchanges what is in its folder between two jobs.
 
 use crate::trade::{Place, Text};
 use std::os::unix::fs::PermissionsExt;

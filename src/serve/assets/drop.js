@@ -1,7 +1,7 @@
 // Sends dropped or chosen files: a capture each folder, one otherwise; then looks at it.
 const form = document.getElementById("drop");
 const bar = document.getElementById("drop-bar");
-const said = document.getElementById("drop-said");
+const said = document.getElementById("drop-word");
 const AT_ONCE = 3;
 const texts = form.dataset;
 const fill = (text, put) => text.replace(/\{(\w+)\}/g, (all, key) => put[key] ?? all);

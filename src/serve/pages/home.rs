@@ -65,7 +65,7 @@ fn drop(words: Words) -> Markup {
                 }
                 p #folder-hint .soft { (words.text("drop-folder-hint")) }
                 progress #drop-bar max="1" value="0" hidden aria-label=(words.text("drop-title")) {}
-                p #drop-said role="status" {}
+                p #drop-word role="status" {}
                 noscript { p .alert { (words.text("needs-script")) } }
             }
         }

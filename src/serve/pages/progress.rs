@@ -80,7 +80,7 @@ fn one(words: Words, part: &str, steps: &[&Step]) -> Markup {
         li class=(state) {
             span .part { (name) }
             progress max="1" value=(format!("{all:.3}")) aria-label=(name) {}
-            span .said {
+            span .word {
                 (words.text(&format!("step-{state}")))
                 @if state == "done" && seconds >= 1.0 { " · " (words.duration(seconds)) }
             }

@@ -20,7 +20,7 @@ use std::path::Path;
 
 /// Ways of tapes: from, step, how many; shares of stature.
 const PROFILE: (f64, f64, usize) = (0.17, 0.01, 13);
-/// How far a ring's middle may lie from the line, as a share of stature.
+/// How far a ring's middle may be from the line, as a share of stature.
 const OFF: f64 = 0.03;
 
 fn main() -> Result<(), Fault> {

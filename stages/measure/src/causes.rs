@@ -145,15 +145,15 @@ fn outlines(input: &Evidence<'_>, cameras: &Cameras, masks: &Masks) -> Option<(R
 
 /// A surface that is shorter than the stature that was given.
 fn short(input: &Evidence<'_>) -> Option<(Refusal, Message)> {
-    let said = input.rig.stature_mm?;
+    let stated = input.rig.stature_mm?;
     let (low, high) = input.mesh.bounds()?;
     let tall = high.z - low.z;
-    (tall < (1.0 - CONTRADICTION * GIVEN_STATURE) * said).then(|| {
+    (tall < (1.0 - CONTRADICTION * GIVEN_STATURE) * stated).then(|| {
         let why = message!(
             SHORT,
             height = tall / 10.0,
-            stature = said / 10.0,
-            missing = 100.0 * (1.0 - tall / said)
+            stature = stated / 10.0,
+            missing = 100.0 * (1.0 - tall / stated)
         );
         (Refusal::Incomplete, why)
     })
@@ -190,9 +190,9 @@ pub(crate) fn disputed(input: &Evidence<'_>, tall: Tall, unit: Unit) -> Option<[
     if let Some(Scale::Disputed(pair)) = input.cameras.map(|c| c.scale) {
         return Some(pair.map(Length::template));
     }
-    let (said, mm) = input.rig.stature_mm.zip(tall.mm)?;
+    let (stated, mm) = input.rig.stature_mm.zip(tall.mm)?;
     let errs = tall.sigma_mm.unwrap_or(0.0) / mm;
     let far = CONTRADICTION * libm::hypot(GIVEN_STATURE, errs);
-    let apart = unit == Unit::Metric && (said / mm - 1.0).abs() > far;
+    let apart = unit == Unit::Metric && (stated / mm - 1.0).abs() > far;
     apart.then_some([SURFACE_UNIT, Length::Stature.template()])
 }

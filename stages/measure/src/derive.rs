@@ -216,7 +216,7 @@ mod tests {
             faces,
             ..Mesh::default()
         };
-        let said = |kg: Option<f64>| {
+        let stated = |kg: Option<f64>| {
             let mut girths = Girths::default();
             derive(&mut girths, &cube, &known(None, kg));
             let known =
@@ -225,9 +225,9 @@ mod tests {
             assert_eq!(girths.ratios.is_empty(), kg.is_none());
             no_density(&girths)
         };
-        assert_eq!(said(Some(120.0)), None);
-        assert_eq!(said(None), None);
-        assert!(said(Some(52.0)).unwrap().contains("0.42 kg/l"));
+        assert_eq!(stated(Some(120.0)), None);
+        assert_eq!(stated(None), None);
+        assert!(stated(Some(52.0)).unwrap().contains("0.42 kg/l"));
         let mut relative = Girths {
             unit: Unit::Relative,
             ..Girths::default()

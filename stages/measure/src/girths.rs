@@ -11,7 +11,7 @@ use crate::sections::taken::taken;
 use crate::uncertainty::contradicted::Outlines;
 use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{by_silhouettes, open_mm};
-use crate::uncertainty::told::{Seen, Sure};
+use crate::uncertainty::reported::{Seen, Sure};
 use shape::{
     BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh, Missing,
     Person, Photos, Refusal,

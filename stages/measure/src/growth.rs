@@ -20,7 +20,7 @@ struct Lms {
 }
 
 impl Lms {
-    /// The number that lies `z` standard deviations from the median.
+    /// The number that is `z` standard deviations from the median.
     fn at(self, z: f64) -> f64 {
         self.m * libm::pow(1.0 + self.l * self.s * z, 1.0 / self.l)
     }
@@ -95,7 +95,7 @@ fn score(z: f64) -> Score {
     }
 }
 
-/// Where stature and body mass index lie, where sex, age, and the stature that was given tell. The body mass index is told
+/// Where stature and body mass index are, where sex, age, and the stature that was given tell. The body mass index is told
 /// where the weight was given, too.
 pub(crate) fn growth(girths: &Girths, stature_mm: Option<f64>) -> Option<Growth> {
     let (sex, months, mm) = (girths.sex?, girths.age_months?, stature_mm?);

@@ -83,8 +83,8 @@ fn only_a_child_with_stature_and_sex_has_growth() {
         bmi: Some(16.4433),
         ..Girths::default()
     };
-    let told = growth(&child, Some(1377.795)).unwrap();
-    for score in [told.bmi.unwrap(), told.height.unwrap()] {
+    let reported = growth(&child, Some(1377.795)).unwrap();
+    for score in [reported.bmi.unwrap(), reported.height.unwrap()] {
         near(score.z, 0.0, 1e-9);
         near(score.centile, 50.0, 1e-6);
     }

@@ -117,18 +117,18 @@ impl Stage for FindLandmarks {
             ctx.warn(message!(NO_FRONT));
         }
         let marks = marks(&body);
-        let told = marks
+        let reported = marks
             .as_ref()
             .map(|m| Trunk::new(&body, m, &model, absolute));
         let tall = absolute.then_some(body.stature);
-        let cover = told.as_ref().and_then(Trunk::cover);
+        let cover = reported.as_ref().and_then(Trunk::cover);
         if let Some(word) = cover.and_then(|cover| word(cover, tall)) {
             ctx.warn(word);
         }
         if body.whole && matches!(body.hip, Some(HipAt::Hidden(..))) {
             ctx.warn(message!(HIP_HIDDEN));
         }
-        trunk(p.waist, &body, told.as_ref(), &mut found);
+        trunk(p.waist, &body, reported.as_ref(), &mut found);
         let notch = model.law(Place::Notch);
         let word = across_neck(p.neck_lean_deg, mesh, &body, notch, &mut found);
         word.iter().for_each(|word| ctx.warn(word));
@@ -138,7 +138,7 @@ impl Stage for FindLandmarks {
         arms(&limbs, &body, &mut found);
         let word = legs(&limbs, &body, &mut found);
         word.iter().for_each(|word| ctx.warn(word));
-        own(&body, told.as_ref(), &limbs, &p.girth.0, &mut found)?;
+        own(&body, reported.as_ref(), &limbs, &p.girth.0, &mut found)?;
         found.found.retain(|l| p.set.holds(l.by));
         found
             .missing

@@ -9,7 +9,7 @@ use shape::{Found, Mask, Rgb};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-/// Lines between joints, by their places in [`Found::JOINTS`], with what lies nearest to one: a name where it is taken out.
+/// Lines between joints, by their places in [`Found::JOINTS`], with what is nearest to one: a name where it is taken out.
 const LINES: [(&str, usize, usize); 17] = [
     ("head", 7, 8),
     ("head", 0, 7),
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let truths = files(masks)?;
         for (photo, mask) in files(photos)?.iter().zip(&truths) {
-            told(&networks, photo, mask)?;
+            reported(&networks, photo, mask)?;
         }
     }
     Ok(())
@@ -69,7 +69,7 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
 }
 
 /// Prints the lines of a photo.
-fn told(networks: &Networks, photo: &Path, mask: &Path) -> Result<(), Box<dyn Error>> {
+fn reported(networks: &Networks, photo: &Path, mask: &Path) -> Result<(), Box<dyn Error>> {
     let rgb = image::open(photo)?.into_rgb8();
     let (width, height) = (rgb.width(), rgb.height());
     let pixels = Rgb {
@@ -102,7 +102,7 @@ fn told(networks: &Networks, photo: &Path, mask: &Path) -> Result<(), Box<dyn Er
     Ok(())
 }
 
-/// The mask without what lies nearest to some lines.
+/// The mask without what is nearest to some lines.
 fn without(found: &Found, mask: &Mask, taken: &[&str]) -> Mask {
     let mut mask = mask.clone();
     if taken.is_empty() {

@@ -16,7 +16,7 @@ stage::messages! {
 }
 
 stage::params! {
-    /// How much of a part of the body a mask may leave out, of what lies deeper inside of the learned body than the
+    /// How much of a part of the body a mask may leave out, of what is deeper inside of the learned body than the
     /// learned outline is wide. Fitted by `models/person/alarm.py` on true masks of six drawn scenes and the same without a limb.
     pub struct AlarmParams {
         /// Head.

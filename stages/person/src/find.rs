@@ -51,8 +51,8 @@ impl Stage for FindPeople {
         let all = followed(views.into_iter().collect());
         // Of things nothing is said: most captures of them are meant.
         if all.person {
-            let told = odd(&all, &input.photos);
-            told.into_iter().for_each(|w| ctx.warn(w));
+            let reported = odd(&all, &input.photos);
+            reported.into_iter().for_each(|w| ctx.warn(w));
         }
         let (views, person) = (all.views, all.person);
         Ok(People { views, person })

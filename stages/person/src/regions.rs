@@ -6,7 +6,7 @@ use shape::{Found, Mask};
 /// What two masks disagree in, as shares of the region.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Disagreement {
-    /// Not in the mask, of what lies deep inside of the learned body.
+    /// Not in the mask, of what is deep inside of the learned body.
     pub lost: f64,
     /// In the mask, but far outside of the learned body; as a share of the learned region.
     pub kept: f64,
@@ -16,10 +16,10 @@ pub struct Disagreement {
 /// looked at. \[pixels of the network\]
 const WIDTH_PX: usize = 2;
 
-/// By region, in the order of [`BodyPart::ALL`].
+/// By region, in the order of [`BodyPart::ALL`](shape::BodyPart::ALL).
 pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
     let (width, height) = (found.body.width, found.body.height);
-    // Both masks on the network's pixels; what lies outside of the photo is neither.
+    // Both masks on the network's pixels; what is outside of the photo is neither.
     let places: Vec<[f32; 2]> = (0..width * height)
         .map(|i| {
             let (x, y) = ((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
@@ -59,7 +59,7 @@ pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
     })
 }
 
-/// Widened by the learned outline's width where `wider`, else narrowed; beyond the border lies what lies at it.
+/// Widened by the learned outline's width where `wider`, else narrowed; beyond the border is what is at it.
 fn spread(of: &[bool], width: usize, wider: bool) -> Vec<bool> {
     let height = of.len() / width.max(1);
     let along = |of: &[bool], step: usize, place: &dyn Fn(usize) -> (usize, usize)| -> Vec<bool> {
@@ -143,16 +143,16 @@ mod tests {
         for y in 290..512 {
             (270..512).for_each(|x| *mask.at_mut(x, y) = 0);
         }
-        let told = disagreement(&found, &mask);
-        assert!((0.25..0.6).contains(&told[3].lost), "{told:?}");
+        let reported = disagreement(&found, &mask);
+        assert!((0.25..0.6).contains(&reported[3].lost), "{reported:?}");
         assert!(
-            told[1].lost < 0.01 && told.iter().all(|d| d.kept == 0.0),
-            "{told:?}"
+            reported[1].lost < 0.01 && reported.iter().all(|d| d.kept == 0.0),
+            "{reported:?}"
         );
         for y in 100..200 {
             (340..440).for_each(|x| *mask.at_mut(x, y) = 255);
         }
-        let told = disagreement(&found, &mask);
-        assert!(told.iter().any(|d| d.kept > 0.25), "{told:?}");
+        let reported = disagreement(&found, &mask);
+        assert!(reported.iter().any(|d| d.kept > 0.25), "{reported:?}");
     }
 }

@@ -4,7 +4,7 @@ use shape::{Crop, Found};
 
 /// The network says that its square shows a person.
 const PRESENT: f32 = 0.5;
-/// Squares of one person share at least so much of their union: one may lie a third of its side beside the other.
+/// Squares of one person share at least so much of their union: one may be a third of its side beside the other.
 const ONE_PERSON: f32 = 0.5;
 
 /// Whether two squares are one person's.

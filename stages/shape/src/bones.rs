@@ -2,7 +2,7 @@
 
 use crate::{BodyPart, Found};
 
-/// Lines between joints, by their places in [`Found::JOINTS`], structural: what lies nearest to one is of its part.
+/// Lines between joints, by their places in [`Found::JOINTS`], structural: what is nearest to one is of its part.
 const BONES: [(BodyPart, usize, usize); 25] = [
     (BodyPart::Head, 0, 7),
     (BodyPart::Head, 0, 8),

@@ -65,10 +65,10 @@ fn least<T>(times: usize, mut run: impl FnMut() -> T) -> (f64, T) {
     let mut best: Option<(f64, T)> = None;
     for _ in 0..times {
         let start = Instant::now();
-        let told = run();
+        let reported = run();
         let took = start.elapsed().as_secs_f64() * 1e3;
         if best.as_ref().is_none_or(|b| took < b.0) {
-            best = Some((took, told));
+            best = Some((took, reported));
         }
     }
     best.expect("bug: no run")

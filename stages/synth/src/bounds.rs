@@ -37,7 +37,7 @@ pub fn bounds(solid: &Solid) -> (Point3<f64>, Point3<f64>) {
             }),
         }
     }
-    // Where parts blend, the surface lies a quarter of the blend farther out at most.
+    // Where parts blend, the surface is a quarter of the blend farther out at most.
     let around = Vector3::from_element(solid.blend_mm / 4.0);
     (Point3::from(low) - around, Point3::from(high) + around)
 }

@@ -11,7 +11,7 @@ const DIRECTIONS: usize = 4096;
 const STRIDE: f64 = 1.5;
 
 /// The closed curve in which a plane cuts a solid around the plane's point: where straight lines
-/// from there first leave the solid. `None` if the point lies outside, or a line leaves nowhere
+/// from there first leave the solid. `None` if the point is outside, or a line leaves nowhere
 /// within three metres. The curve is the whole section if that is star-shaped about the point.
 pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
     let from = Point3::from(plane.point_mm);

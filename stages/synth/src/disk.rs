@@ -16,7 +16,7 @@ pub(crate) struct Disk {
     pub(crate) radius: f64,
     /// How thick it is.
     pub(crate) thick: f64,
-    /// What lies on it.
+    /// What is on it.
     pub(crate) mat: Option<Mat>,
     /// What is glued around its rim.
     pub(crate) rim: Option<Rim>,
@@ -137,7 +137,7 @@ fn in_tag(mat: &Mat, x: f64, y: f64) -> bool {
         && modules(id).is_some_and(|white| !white[row as usize][column as usize])
 }
 
-/// Whether a place on a rim's strip is black of a tag: its angle, and how deep it lies. \[rad, mm\]
+/// Whether a place on a rim's strip is black of a tag: its angle, and how deep it is. \[rad, mm\]
 fn in_rim_tag(rim: &Rim, angle: f64, deep: f64) -> bool {
     let step = std::f64::consts::TAU / f64::from(rim.count);
     let i = (angle / step).round();

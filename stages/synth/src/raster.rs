@@ -134,7 +134,7 @@ pub fn cast(
     }
 }
 
-/// The triangles that look at the camera and lie before it, on its photo.
+/// The triangles that look at the camera and are before it, on its photo.
 fn ready(mesh: &Mesh, camera: &Camera, motion: Option<&Pose>) -> Vec<Ready> {
     let (width, height) = (f64::from(camera.lens.width), f64::from(camera.lens.height));
     let place = |v: u32| {

@@ -40,7 +40,7 @@ stage::params! {
         #[range(0.0..=5.0)]
         #[source(structural)]
         jitter_deg: f64 = 0.1,
-        /// By how much the principal point lies right of and below the photo's middle, as a share
+        /// By how much the principal point is right of and below the photo's middle, as a share
         /// of the longer side.
         #[range(-0.1..=0.1)]
         #[source(structural)]

@@ -58,10 +58,10 @@ impl Stage for Score {
     ];
 
     fn run(_: &(), input: ScoreInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
-        let mut told = Map::new();
+        let mut reported = Map::new();
         let mut tell = |group: &str, name: &str, value: f64, unit: &str| {
             ctx.metric(&format!("{group} {name}"), value, unit);
-            let group = told.entry(group).or_insert_with(|| json!({}));
+            let group = reported.entry(group).or_insert_with(|| json!({}));
             let rounded = (value * 1e4).round() / 1e4;
             group[format!("{name} [{unit}]")] = json!(rounded);
         };
@@ -119,9 +119,9 @@ impl Stage for Score {
         let missing: Vec<Value> = missing
             .map(|m| json!({ "name": m.name, "why": m.why.as_str() }))
             .collect();
-        told.insert("table".into(), json!(rows));
-        told.insert("missing".into(), json!(missing));
-        let text = serde_json::to_string_pretty(&told)?;
+        reported.insert("table".into(), json!(rows));
+        reported.insert("missing".into(), json!(missing));
+        let text = serde_json::to_string_pretty(&reported)?;
         Ok(Document {
             media: "application/json".into(),
             bytes: text.into_bytes(),

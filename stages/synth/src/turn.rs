@@ -51,7 +51,7 @@ stage::params! {
         #[range(0..=100)]
         #[source(structural)]
         jpeg_quality: u32 = 93,
-        /// Whether a marker mat lies on the disk; else it is wood.
+        /// Whether a marker mat is on the disk; else it is wood.
         mat: bool = true,
         /// Whether a strip of tags goes around the rim of a disk with a mat.
         rim: bool = false,

@@ -19,10 +19,10 @@ pub mod outlines;
 mod points;
 mod rays;
 mod read;
+mod reported;
 pub mod scene;
 mod score;
 mod together;
-mod told;
 mod trunk;
 
 pub use error::MotionError;
@@ -38,7 +38,7 @@ pub const STAGES: &[&dyn ::stage::AnyStage] = &[
 
 /// Every kind of message of this crate.
 pub const MESSAGES: &[&[stage::Template]] =
-    &[read::MESSAGES, told::MESSAGES, MotionError::MESSAGES];
+    &[read::MESSAGES, reported::MESSAGES, MotionError::MESSAGES];
 
 /// The errors that have codes.
 const CODED: &[stage::Recognise] = &[

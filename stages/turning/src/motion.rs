@@ -5,9 +5,9 @@ use crate::error::MotionError;
 use crate::given::{MotionInput, MotionParams};
 use crate::joints::{Articulated, Sights, TRUNK_SHARE, median, swap};
 use crate::read::{followed, lens, sights, without_hands};
+use crate::reported::{Found, MOST_OPEN, cameras, closed, verdict};
 use crate::scene::{Motion, Step};
 use crate::together::{GoesOn, by_outlines};
-use crate::told::{Found, MOST_OPEN, cameras, closed, verdict};
 use shape::{Cameras, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};
 

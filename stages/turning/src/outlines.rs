@@ -1,4 +1,4 @@
-//! How well outlines of a motion agree: each point of an outline lies on a ray, and the body that all other photos show
+//! How well outlines of a motion agree: each point of an outline is on a ray, and the body that all other photos show
 //! touches that ray (silhouette coherence: Hernández, Schmitt and Cipolla 2007).
 //!
 //! The depth of a ray is the greatest, along it, of the least depth in all other photos' silhouettes. Where all agree it is

@@ -7,7 +7,7 @@ use crate::outline::Outline;
 use crate::outlines::equations;
 use crate::points::{self, Point};
 use crate::read::without_hands;
-use crate::told::Found;
+use crate::reported::Found;
 use crate::trunk::Trunk;
 use nalgebra::{Point2, Vector2};
 use rayon::prelude::*;

@@ -15,7 +15,7 @@ pub(super) struct Capture {
     photos: String,
 }
 
-/// A store, its captures, and where they lie.
+/// A store, its captures, and where they are.
 pub(super) struct Story {
     pub(super) place: tempfile::TempDir,
     pub(super) captures: Vec<Capture>,

@@ -75,7 +75,7 @@ pub(super) fn plain(error: &dyn std::error::Error) -> String {
         word.split_once('?')
             .map_or(word.to_owned(), |(head, _)| format!("{head}?…"))
     };
-    let words: Vec<String> = told(&text).split_whitespace().map(cut).collect();
+    let words: Vec<String> = reported(&text).split_whitespace().map(cut).collect();
     words
         .join(" ")
         .chars()
@@ -85,7 +85,7 @@ pub(super) fn plain(error: &dyn std::error::Error) -> String {
 }
 
 /// A text with what a server says in XML in its own words: code and message.
-fn told(text: &str) -> String {
+fn reported(text: &str) -> String {
     let Some((before, xml)) = text
         .split_once("<?xml")
         .or_else(|| text.split_once("<Error>"))
@@ -96,27 +96,27 @@ fn told(text: &str) -> String {
         let (_, rest) = xml.split_once(&format!("<{tag}>"))?;
         rest.split_once(&format!("</{tag}>")).map(|(text, _)| text)
     };
-    let said: Vec<&str> = ["Code", "Message"].into_iter().filter_map(of).collect();
+    let answer: Vec<&str> = ["Code", "Message"].into_iter().filter_map(of).collect();
     let after = xml.rsplit_once('>').map_or("", |(_, after)| after);
-    format!("{before}{}{after}", said.join(": "))
+    format!("{before}{}{after}", answer.join(": "))
 }
 
 const MOST_TEXT: usize = 400;
 
 #[cfg(test)]
 mod tests {
-    use super::told;
+    use super::reported;
 
     #[test]
     fn what_a_server_says_in_xml_is_said_in_words() {
         let xml = "Server returned 403 Forbidden: <?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Error><Code>AccessDenied</Code>\
             <Message>Access Denied.</Message><Resource>/lab/ac</Resource><RequestId>1</RequestId></Error> (try 1)";
         assert_eq!(
-            told(xml),
+            reported(xml),
             "Server returned 403 Forbidden: AccessDenied: Access Denied. (try 1)"
         );
         let bare = "status code: 404: <Error><Code>NoSuchBucket</Code></Error>";
-        assert_eq!(told(bare), "status code: 404: NoSuchBucket");
-        assert_eq!(told("plain <b> text"), "plain <b> text");
+        assert_eq!(reported(bare), "status code: 404: NoSuchBucket");
+        assert_eq!(reported("plain <b> text"), "plain <b> text");
     }
 }

@@ -1,6 +1,6 @@
 //! Buckets and shared folders by the crate `object_store`: `s3://`, `gs://`, `az://`, `file://`.
 //!
-//! Who may read and write is told by the usual variables of the environment (`AWS_…`, `GOOGLE_…`,
+//! Who may read and write is estimated by the usual variables of the environment (`AWS_…`, `GOOGLE_…`,
 //! `AZURE_…`), and for S3 by a profile (`profile.rs`); by nothing else: an address that holds a secret is refused, and what a query of an
 //! address holds is cut out of every text.
 
@@ -23,7 +23,7 @@ struct Bucket {
     /// As `store`, with time for a large result to get there.
     writes: Box<dyn ObjectStore>,
     runtime: Runtime,
-    /// Where it lies, if it is a folder.
+    /// Where it is, if it is a folder.
     folder: Option<std::path::PathBuf>,
 }
 

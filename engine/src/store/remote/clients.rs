@@ -47,7 +47,7 @@ pub(super) fn of_scheme(
 /// As the environment says, and where it says nothing, a profile.
 fn amazon() -> Result<AmazonS3Builder, Trouble> {
     let env = |name: &str| std::env::var(name).ok();
-    let said = |names: &[&str]| names.iter().any(|n| env(n).is_some_and(|v| !v.is_empty()));
+    let reply = |names: &[&str]| names.iter().any(|n| env(n).is_some_and(|v| !v.is_empty()));
     let profile = profile::chosen(&env).map_err(Trouble::Refused)?;
     let mut builder = AmazonS3Builder::from_env();
     if let Some(keys) = profile.keys {
@@ -58,10 +58,10 @@ fn amazon() -> Result<AmazonS3Builder, Trouble> {
             builder = builder.with_token(token);
         }
     }
-    if let Some(region) = profile.region.filter(|_| !said(&REGION)) {
+    if let Some(region) = profile.region.filter(|_| !reply(&REGION)) {
         builder = builder.with_region(region);
     }
-    if let Some(endpoint) = profile.endpoint.filter(|_| !said(&ENDPOINT)) {
+    if let Some(endpoint) = profile.endpoint.filter(|_| !reply(&ENDPOINT)) {
         builder = builder.with_endpoint(endpoint);
     }
     Ok(builder)
@@ -73,8 +73,8 @@ const ENDPOINT: [&str; 3] = ["AWS_ENDPOINT_URL", "AWS_ENDPOINT_URL_S3", "AWS_END
 
 /// HTTP without TLS, where the environment allows it: servers of one's own.
 fn allowed() -> bool {
-    let said = |name: &str| std::env::var(name).is_ok_and(|v| v == "true" || v == "1");
-    said("AWS_ALLOW_HTTP") || said("AZURE_ALLOW_HTTP")
+    let reply = |name: &str| std::env::var(name).is_ok_and(|v| v == "true" || v == "1");
+    reply("AWS_ALLOW_HTTP") || reply("AZURE_ALLOW_HTTP")
 }
 
 fn client(answer: Duration) -> ClientOptions {

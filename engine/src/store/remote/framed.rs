@@ -1,4 +1,4 @@
-//! A record as it lies in a shared store: the file that it is on disk, and behind it a small result.
+//! A record as it is in a shared store: the file that it is on disk, and behind it a small result.
 //!
 //! ```text
 //! stage shared 1 NONCE RECORD_BYTES BLOB_BYTES\n

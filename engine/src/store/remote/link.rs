@@ -81,7 +81,7 @@ struct Weather {
     until: Option<Instant>,
     wait: Duration,
     why: String,
-    said: bool,
+    reply: bool,
     /// How long it held up who waits for it, since it last answered.
     stalled: Duration,
 }
@@ -265,7 +265,7 @@ impl Link {
     /// Why the place did not answer, if it has not answered since.
     pub(super) fn silent(&self) -> Option<String> {
         let weather = self.weather.lock().expect("bug: poisoned");
-        weather.said.then(|| weather.why.clone())
+        weather.reply.then(|| weather.why.clone())
     }
 
     /// When the place may be asked again, if it rests.
@@ -279,7 +279,7 @@ impl Link {
         weather.wait = (weather.wait * 2).clamp(FIRST_WAIT, LONGEST_WAIT);
         weather.until = Some(clock::instant() + weather.wait);
         weather.why = why.into();
-        if !std::mem::replace(&mut weather.said, true) {
+        if !std::mem::replace(&mut weather.reply, true) {
             drop(weather);
             self.say(&format!(
                 "it does not answer ({why}): going on without it; what is made waits in the cache and is uploaded later"
@@ -292,7 +292,7 @@ impl Link {
         weather.wait = Duration::ZERO;
         weather.until = None;
         weather.stalled = Duration::ZERO;
-        if std::mem::replace(&mut weather.said, false) {
+        if std::mem::replace(&mut weather.reply, false) {
             drop(weather);
             self.say("it answers again");
         }

@@ -14,12 +14,12 @@ pub(super) const MOST: usize = 1 << 30;
 /// No signature is larger. \[bytes\]
 const MOST_SEAL: usize = 4096;
 
-/// Where a plan lies.
+/// Where a plan is.
 pub(super) fn object(name: &str) -> String {
     format!("{FOLDER}/{name}")
 }
 
-/// Where its signature lies.
+/// Where its signature is.
 pub(super) fn seal(name: &str) -> String {
     format!("{FOLDER}/{name}.seal")
 }

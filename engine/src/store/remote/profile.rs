@@ -79,9 +79,9 @@ pub(super) fn chosen(env: &dyn Fn(&str) -> Option<String>) -> Result<Profile, St
     }
     let (config, credentials) = (config.unwrap_or_default(), credentials.unwrap_or_default());
     let of = |key: &str| credentials.get(key).or(config.get(key)).cloned();
-    let said = SAID.iter().any(|variable| env(variable).is_some());
+    let answer = SAID.iter().any(|variable| env(variable).is_some());
     Ok(Profile {
-        keys: if said { None } else { keys(name, &of)? },
+        keys: if answer { None } else { keys(name, &of)? },
         region: config.get("region").cloned(),
         endpoint: config.get("endpoint_url").cloned(),
     })
@@ -208,9 +208,9 @@ mod tests {
         );
         assert_eq!(lab.region.as_deref(), Some("eu-central-1"));
         assert_eq!(lab.endpoint.as_deref(), Some("https://s3.lab.example"));
-        let said = [("AWS_PROFILE", "lab"), ("AWS_ACCESS_KEY_ID", "mine")];
-        let said = of(CREDENTIALS, CONFIG, &said).ok().unwrap();
-        assert!(said.keys.is_none() && said.region.is_some());
+        let answer = [("AWS_PROFILE", "lab"), ("AWS_ACCESS_KEY_ID", "mine")];
+        let answer = of(CREDENTIALS, CONFIG, &answer).ok().unwrap();
+        assert!(answer.keys.is_none() && answer.region.is_some());
         assert!(of("", "", &[]).ok().unwrap() == Profile::default());
     }
 

@@ -23,7 +23,7 @@ pub(super) fn askers(records: usize) -> usize {
     }
 }
 
-/// The name of what lies on a shelf under a hash.
+/// The name of what is on a shelf under a hash.
 pub(super) fn object(shelf: &str, hash: Hash) -> String {
     own::name(shelf, hash)
 }

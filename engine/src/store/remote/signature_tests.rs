@@ -51,33 +51,33 @@ fn files_that_are_no_keys_are_told_and_none_is_written_over() {
     assert!(keygen(&file("a"), 365).is_err(), "it is there already");
     std::fs::write(file("c.pub"), "").unwrap();
     assert!(keygen(&file("c"), 365).is_err() && !file("c").exists());
-    let told = |sign: Option<&str>, trust: Option<&str>| {
+    let reported = |sign: Option<&str>, trust: Option<&str>| {
         let of = |name: Option<&str>| name.map(file);
         let read = Keys::read(of(sign).as_deref(), of(trust).as_deref());
         read.err().map(|why| why.to_string()).unwrap_or_default()
     };
     std::fs::write(file("none"), "# nobody\n").unwrap();
     std::fs::write(file("odd"), "ed25519 xyz\n").unwrap();
-    assert!(told(Some("missing"), None).contains("missing"));
-    assert!(told(Some("a.pub"), None).contains("is no signing key"));
-    assert!(told(None, Some("none")).contains("has no public key"));
-    assert!(told(None, Some("odd")).contains("line 1 is no public key"));
+    assert!(reported(Some("missing"), None).contains("missing"));
+    assert!(reported(Some("a.pub"), None).contains("is no signing key"));
+    assert!(reported(None, Some("none")).contains("has no public key"));
+    assert!(reported(None, Some("odd")).contains("line 1 is no public key"));
     std::fs::write(
         file("day"),
         format!("ed25519 {} until 2026-02-30\n", "0".repeat(64)),
     )
     .unwrap();
-    assert!(told(None, Some("day")).contains("line 1 is no public key"));
-    assert_eq!(told(Some("a"), Some("a.pub")), "");
+    assert!(reported(None, Some("day")).contains("line 1 is no public key"));
+    assert_eq!(reported(Some("a"), Some("a.pub")), "");
     let secret = std::fs::read_to_string(file("a")).unwrap();
     std::fs::write(file("a"), secret.replace(HEAD, FORMER)).unwrap();
-    assert_eq!(told(Some("a"), Some("a.pub")), "");
+    assert_eq!(reported(Some("a"), Some("a.pub")), "");
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
         let open = std::fs::Permissions::from_mode(0o644);
         std::fs::set_permissions(file("a"), open).unwrap();
-        assert!(told(Some("a"), None).contains("other users may read"));
+        assert!(reported(Some("a"), None).contains("other users may read"));
     }
 }
 

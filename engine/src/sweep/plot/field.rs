@@ -25,7 +25,7 @@ impl Metric {
 
 /// A point's number with what holds it.
 #[derive(Clone, Copy)]
-pub(super) struct Told {
+pub(super) struct Reported {
     pub(super) value: f64,
     pub(super) interval: Option<[f64; 2]>,
 }
@@ -35,7 +35,7 @@ pub(super) struct Point {
     /// One entry a param.
     pub(super) params: Vec<String>,
     /// One entry a metric.
-    pub(super) told: Vec<Option<Told>>,
+    pub(super) reported: Vec<Option<Reported>>,
 }
 
 /// All of them.
@@ -67,13 +67,13 @@ impl Field {
         let varies = |name: &&String| rows.iter().any(|r| value(r, name) != value(&rows[0], name));
         let params: Vec<String> = names.iter().filter(varies).cloned().collect();
         let shown = shown(groups);
-        let told = |group: &Group, at: usize| told(group, at);
+        let reported = |group: &Group, at: usize| reported(group, at);
         let points: Vec<Point> = rows
             .iter()
             .zip(groups)
             .map(|(row, group)| Point {
                 params: params.iter().map(|name| value(row, name)).collect(),
-                told: shown.iter().map(|at| told(group, *at)).collect(),
+                reported: shown.iter().map(|at| reported(group, *at)).collect(),
             })
             .collect();
         let axis = |p: usize| {
@@ -128,9 +128,9 @@ impl Field {
 
     /// What a dot says: its params and its number.
     pub(super) fn title(&self, point: &Point, metric: usize) -> String {
-        let told = point.told[metric].map_or(String::new(), |t| t.value.to_string());
+        let reported = point.reported[metric].map_or(String::new(), |t| t.value.to_string());
         format!(
-            "{}: {} {told}",
+            "{}: {} {reported}",
             self.others(point, &[]),
             self.metrics[metric].name
         )
@@ -154,9 +154,9 @@ fn shown(groups: &[Group]) -> Vec<usize> {
 }
 
 /// A group's number with the interval of its replicates, or its own.
-fn told(group: &Group, at: usize) -> Option<Told> {
+fn reported(group: &Group, at: usize) -> Option<Reported> {
     let spread = &group.spreads[at];
-    Some(Told {
+    Some(Reported {
         value: spread.mean?,
         interval: spread.interval.or(spread.own),
     })
@@ -164,10 +164,10 @@ fn told(group: &Group, at: usize) -> Option<Told> {
 
 /// The axis of some metrics with all that they are held against.
 fn scale(points: &[Point], metrics: &[usize], references: &[Reference]) -> Scale {
-    let told = points
+    let reported = points
         .iter()
-        .flat_map(|p| metrics.iter().filter_map(|k| p.told[*k]));
-    let ends = told.flat_map(|t| {
+        .flat_map(|p| metrics.iter().filter_map(|k| p.reported[*k]));
+    let ends = reported.flat_map(|t| {
         let [low, high] = t.interval.unwrap_or([t.value; 2]);
         [t.value, low, high]
     });

@@ -44,14 +44,17 @@ impl Grid {
         if xs.len() * ys.len() * maps(&[across, up]) > field.points.len() {
             return None;
         }
-        let told = field.points.iter().filter_map(|p| Some(p.told[at]?.value));
+        let reported = field
+            .points
+            .iter()
+            .filter_map(|p| Some(p.reported[at]?.value));
         let widest = ys.iter().map(|y| wide(&short(*y))).fold(0.0, f64::max);
         Some(Grid {
             params: [across, up],
             xs,
             ys,
             left: widest + 8.0,
-            ends: told.fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x), b.max(x)]),
+            ends: reported.fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x), b.max(x)]),
         })
     }
 
@@ -79,7 +82,7 @@ impl Grid {
         [self.left + CELL[0] * i as f64, CELL[1] * down as f64]
     }
 
-    /// Where a number lies between the least and the greatest.
+    /// Where a number is between the least and the greatest.
     fn share(&self, value: f64) -> f64 {
         let [least, most] = self.ends;
         if most > least {
@@ -123,16 +126,18 @@ pub(super) fn heat(field: &Field, at: usize) -> Option<Plot> {
         grid.words(&mut svg, top, name);
         let own = field.points.iter().enumerate();
         for (row, point) in own.filter(|(_, p)| field.others(p, &grid.params) == *name) {
-            let Some(told) = point.told[at] else { continue };
+            let Some(reported) = point.reported[at] else {
+                continue;
+            };
             let [x, y] = grid.corner(point);
             let cell = [x, top + y, CELL[0] - 1.0, CELL[1] - 1.0];
-            let color = ramp(grid.share(told.value));
+            let color = ramp(grid.share(reported.value));
             svg.cell(cell, &color, row, &field.title(point, at));
             let middle = (x + CELL[0] / 2.0, top + y + CELL[1] / 2.0 + 3.0);
             let more = " fill=\"#111\" pointer-events=\"none\"";
-            svg.word(middle, "middle", &short(told.value), more);
+            svg.word(middle, "middle", &short(reported.value), more);
             let [across, up] = grid.params.map(|p| point.params[p].clone());
-            data.push(vec![name.clone(), across, up, told.value.to_string()]);
+            data.push(vec![name.clone(), across, up, reported.value.to_string()]);
         }
     }
     Some(Plot {

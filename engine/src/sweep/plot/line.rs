@@ -1,6 +1,6 @@
 //! One metric over one param: a line joins points that differ in this param only.
 
-use super::field::{Field, Metric, Point, Told};
+use super::field::{Field, Metric, Point, Reported};
 use super::plotted::{Plot, Reference, file};
 use super::svg::{COLORS, SOFT, Svg, wide};
 use crate::text::short;
@@ -57,9 +57,9 @@ impl Frame {
 /// The plot; none where fewer than two points tell the metric at different values of the param.
 pub(super) fn line(field: &Field, param: usize, at: usize) -> Option<Plot> {
     let metric = &field.metrics[at];
-    let told = |p: &&Point| p.told[at].is_some();
-    let first = &field.points.iter().find(told)?.params[param];
-    let mut shown = field.points.iter().filter(told);
+    let reported = |p: &&Point| p.reported[at].is_some();
+    let first = &field.points.iter().find(reported)?.params[param];
+    let mut shown = field.points.iter().filter(reported);
     shown.find(|p| p.params[param] != *first)?;
     let title = format!("{} over {}", metric.title(), field.params[param]);
     let mut svg = Svg::new(WIDE, HIGH, &title);
@@ -69,7 +69,7 @@ pub(super) fn line(field: &Field, param: usize, at: usize) -> Option<Plot> {
     let mut data = vec![head.map(str::to_owned).to_vec()];
     let names = field.names(&[param]);
     for (k, name) in names.iter().enumerate() {
-        // Lines that lie on each other are moved apart by a pixel or two, so that each is seen.
+        // Lines that are on each other are moved apart by a pixel or two, so that each is seen.
         let count = names.len() as f64;
         let aside = (k as f64 - (count - 1.0) / 2.0) * (3.0 / count).min(2.0);
         let color = COLORS[k % COLORS.len()];
@@ -113,18 +113,18 @@ fn series(
     let own = field.points.iter().enumerate();
     let own = own.filter(|(_, p)| field.others(p, &[param]) == name);
     let place = |p: &Point| scale.place(&p.params[param]).unwrap_or(0.5);
-    let mut own: Vec<(f64, usize, &Point, Told)> = own
-        .filter_map(|(row, p)| Some((place(p), row, p, p.told[at]?)))
+    let mut own: Vec<(f64, usize, &Point, Reported)> = own
+        .filter_map(|(row, p)| Some((place(p), row, p, p.reported[at]?)))
         .collect();
     own.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let at_of = |(x, _, _, t): &(f64, usize, &Point, Told)| {
+    let at_of = |(x, _, _, t): &(f64, usize, &Point, Reported)| {
         (frame.x(*x) + aside, frame.y(metric.scale.at(t.value)))
     };
     let points: Vec<(f64, f64)> = own.iter().map(at_of).collect();
     svg.path(&points, color, " stroke-width=\"1.5\" opacity=\".75\"");
     let mut data = Vec::new();
-    for ((_, row, point, told), (x, y)) in own.iter().zip(points) {
-        if let Some(ends) = told.interval {
+    for ((_, row, point, reported), (x, y)) in own.iter().zip(points) {
+        if let Some(ends) = reported.interval {
             let [low, high] = ends.map(|v| frame.y(metric.scale.at(v)));
             svg.line([x, low, x, high], color, " stroke-width=\"1.2\"");
             for end in [low, high] {
@@ -132,8 +132,12 @@ fn series(
             }
         }
         svg.dot((x, y), color, *row, &field.title(point, at));
-        let end = |k: usize| told.interval.map_or(String::new(), |i| i[k].to_string());
-        let value = told.value.to_string();
+        let end = |k: usize| {
+            reported
+                .interval
+                .map_or(String::new(), |i| i[k].to_string())
+        };
+        let value = reported.value.to_string();
         data.push(vec![
             name.to_owned(),
             point.params[param].clone(),

@@ -5,7 +5,7 @@ use super::plotted::Plot;
 use super::scale::Scale;
 use super::svg::{SOFT, Svg, hue, wide};
 
-/// So many axes are told apart.
+/// So many axes are kept apart.
 const MOST_AXES: usize = 14;
 
 /// Height of the drawing. \[px\]
@@ -47,11 +47,11 @@ pub(super) fn parallel(field: &Field) -> Option<Plot> {
     for (row, point) in field.points.iter().enumerate() {
         let of = |i: usize| match i < count {
             true => axes[i].1.place(&point.params[i]),
-            false => Some(axes[i].1.at(point.told[i - count]?.value)),
+            false => Some(axes[i].1.at(point.reported[i - count]?.value)),
         };
         let text = |i: usize| match i < count {
             true => point.params[i].clone(),
-            false => point.told[i - count].map_or(String::new(), |t| t.value.to_string()),
+            false => point.reported[i - count].map_or(String::new(), |t| t.value.to_string()),
         };
         let places: Vec<Option<f64>> = (0..axes.len()).map(of).collect();
         let line: Vec<(f64, f64)> = places
@@ -60,7 +60,7 @@ pub(super) fn parallel(field: &Field) -> Option<Plot> {
             .filter_map(|(i, place)| Some((x(i), y((*place)?))))
             .collect();
         let color = hue(places.last().copied().flatten().unwrap_or(0.0));
-        if point.told.iter().all(Option::is_none) {
+        if point.reported.iter().all(Option::is_none) {
             continue;
         }
         svg.path(

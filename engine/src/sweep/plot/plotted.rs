@@ -5,7 +5,7 @@
 pub struct Reference {
     /// What it is, in a word or two.
     pub label: String,
-    /// Where it lies, in the metric's unit.
+    /// Where it is, in the metric's unit.
     pub value: f64,
 }
 

@@ -72,7 +72,7 @@ impl Svg {
         );
     }
 
-    /// Words along a bottom axis from `low` to `high`, at places from `left` to `right`: those that would lie on each
+    /// Words along a bottom axis from `low` to `high`, at places from `left` to `right`: those that would be on each
     /// other are left out.
     pub(super) fn along(
         &mut self,

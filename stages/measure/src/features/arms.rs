@@ -1,4 +1,4 @@
-//! Arms told from the trunk: where they stand clear, their axes, and cuts where they do not.
+//! Arms estimated from the trunk: where they stand clear, their axes, and cuts where they do not.
 
 use crate::features::body::Body;
 use crate::geometry::slices::{Ring, Slice};

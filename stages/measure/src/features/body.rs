@@ -223,7 +223,7 @@ fn feet(body: &Body) -> Option<Vector3<f64>> {
     ahead(mean(ANKLES)?, mean(TOES)?, 0.004 * body.stature)
 }
 
-/// How far the middle of the head lies before that of the shoulders at least, as a share of stature. Of
+/// How far the middle of the head is before that of the shoulders at least, as a share of stature. Of
 /// 710 made bodies it is 0.008 and more, 0.022 in the middle.
 const HEAD: f64 = 0.006;
 

@@ -13,7 +13,7 @@ pub(crate) fn extent(ring: &Ring, along: &Vector3<f64>) -> Option<(f64, f64)> {
 }
 
 /// How far to either side of its middle a trunk's depth is read, as a share of stature: nipples and
-/// buttocks lie within, raised arms and the forearms before them do not.
+/// buttocks are within, raised arms and the forearms before them do not.
 const MIDDLE: f64 = 0.08;
 
 /// Backmost and foremost of the middle of a trunk's section, along the body's front. \[mm\]

@@ -52,7 +52,7 @@ const UNSEEN: f64 = 0.004;
 /// # Errors
 ///
 /// [`Refusal::NoGround`] where neither is there or to be trusted, or the mesh is empty.
-pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal> {
+pub fn ground(mesh: &Mesh, reported: Option<&GivenGround>) -> Result<Ground, Refusal> {
     let (low, high) = mesh.bounds().ok_or(Refusal::NoGround)?;
     let (tall, found) = (high.z - low.z, soles(mesh));
     let by_soles = |s: &Soles, word: Option<Message>| Ground {
@@ -61,33 +61,33 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
         feet: s.sure,
         word,
     };
-    let Some(told) = told else {
+    let Some(reported) = reported else {
         let sure = found.filter(|s| s.sure).ok_or(Refusal::NoGround)?;
         return Ok(by_soles(&sure, None));
     };
     let as_told = |more: f64, word: Option<Message>| Ground {
-        height_mm: told.height_mm,
-        sigma_mm: libm::hypot(told.sigma_mm, more),
+        height_mm: reported.height_mm,
+        sigma_mm: libm::hypot(reported.sigma_mm, more),
         feet: found.is_some_and(|s| s.sure),
         word,
     };
     let Some(found) = found else {
-        return match told.firm {
+        return match reported.firm {
             true => Ok(as_told(UNSEEN * tall, None)),
             false => Err(Refusal::NoGround),
         };
     };
-    let off = found.height - told.height_mm;
-    match (told.firm, found.sure) {
+    let off = found.height - reported.height_mm;
+    match (reported.firm, found.sure) {
         (true, _) if off.abs() <= NEAR * tall => Ok(as_told(0.0, None)),
         (_, true) => {
-            let word = (off.abs() > AGREE * tall).then(|| apart(off, told.unit));
+            let word = (off.abs() > AGREE * tall).then(|| apart(off, reported.unit));
             Ok(by_soles(&found, word))
         }
         (false, false) if off.abs() <= AGREE * tall => Ok(as_told(found.sigma, None)),
         (true, false) if (0.0..=LOST * tall).contains(&off) => Ok(as_told(
             UNSEEN * tall,
-            Some(message!(FEET_LOST, end = told.unit.field(off))),
+            Some(message!(FEET_LOST, end = reported.unit.field(off))),
         )),
         _ => Err(Refusal::NoGround),
     }

@@ -7,7 +7,7 @@ use crate::geometry::slices::Slice;
 
 /// Heights above the ground that the outline of an upright body marks, and how its arms hang. \[mm\]
 ///
-/// Each is told from an outline seen from the front or from the side: what a visual hull has right
+/// Each is estimated from an outline seen from the front or from the side: what a visual hull has right
 /// even where it fills the armpits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Marks {
@@ -128,7 +128,7 @@ fn back_spread(body: &Body, low: f64, high: f64) -> Option<f64> {
     Some((sum(&|z| (z - mean).powi(2)) / all).sqrt())
 }
 
-/// Where a profile lies farthest from the straight line between its ends; above it for `side` 1.
+/// Where a profile is farthest from the straight line between its ends; above it for `side` 1.
 fn off_chord(
     body: &Body,
     low: f64,

@@ -70,12 +70,12 @@ impl BodyExtents {
         between(&self.levels, self.hip + share * self.long)
     }
 
-    /// How far the back lies before the middle of the hip: less than nought for all that is behind it.
+    /// How far the back is before the middle of the hip: less than nought for all that is behind it.
     pub fn back(&self, share: f64) -> f64 {
         self.at(share)[0]
     }
 
-    /// How far the front lies before the middle of the hip.
+    /// How far the front is before the middle of the hip.
     pub fn front(&self, share: f64) -> f64 {
         self.at(share)[1]
     }

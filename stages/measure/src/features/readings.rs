@@ -115,7 +115,7 @@ pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> 
     let s = body.stature;
     let long = marks.neck - marks.hip;
     let at = |share: f64| body.ground + marks.hip + share * long;
-    // Where no arm stands clear, arms may lie before the trunk or on it.
+    // Where no arm stands clear, arms may be before the trunk or on it.
     let clear = marks.spread.is_some();
     let tape = |share: f64| Some(trunk_tape(body, at(share)).filter(|_| clear)? / s);
     let apex = marks.apex.filter(|(_, sharp)| clear && *sharp >= SHARP);

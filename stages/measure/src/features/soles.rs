@@ -30,7 +30,7 @@ const LARGEST: f64 = 0.035;
 const FLOOR: (f64, f64) = (0.011, 1.6);
 /// How far above the ground half of a bare foot's plan shows: of two made bodies 0.0029 and 0.0030.
 const ROUND: f64 = 0.003;
-/// Part of a foot's plan that a body on its toes stands on at least, and how far it may lie below the
+/// Part of a foot's plan that a body on its toes stands on at least, and how far it may be below the
 /// half of it: nearer, it is the edge of a sole that nobody saw.
 const TOES: (f64, f64) = (0.1, 0.012);
 /// A foot is at least so long, and so many times as long as its ankle is deep. Feet are 0.13 long.
@@ -54,7 +54,7 @@ struct Cut {
 #[derive(Debug, Clone, Default)]
 struct Leg {
     cuts: Vec<Cut>,
-    /// Where its last rings lie: low x, low y, high x, high y.
+    /// Where its last rings are: low x, low y, high x, high y.
     boxes: Vec<[f64; 4]>,
     /// Whether it ended on a floor that is one with it on the surface.
     floor: bool,

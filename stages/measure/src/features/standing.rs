@@ -30,7 +30,7 @@ pub(crate) struct Footing {
 }
 
 /// The ground that cameras tell: of a mat or a disk, or taken at its word.
-fn told(cameras: &Cameras) -> GivenGround {
+fn reported(cameras: &Cameras) -> GivenGround {
     let (firm, sigma_mm) = match cameras.scale {
         Scale::Given => (false, 0.0),
         Scale::Mat => (true, 2.0),
@@ -44,9 +44,9 @@ fn told(cameras: &Cameras) -> GivenGround {
     }
 }
 
-/// Puts a body on its ground. `None` if the surface is empty or lies below it.
+/// Puts a body on its ground. `None` if the surface is empty or is below it.
 pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standing> {
-    let found = ground(mesh, cameras.map(told).as_ref());
+    let found = ground(mesh, cameras.map(reported).as_ref());
     let lowest = mesh.bounds()?.0.z;
     let body = body(mesh, found.as_ref().map_or(lowest, |g| g.height_mm))?;
     // Without legs that is said, not that there are no feet.

@@ -10,7 +10,7 @@ use shape::{Mesh, Refusal};
 /// A body that stands is higher than so many times its greatest reach across: arms spread wide reach 1.1
 /// of the stature.
 const TALL: f64 = 0.8;
-/// How far the trunk's middle lies from that of the shins at most, seen from above, as a share of stature:
+/// How far the trunk's middle is from that of the shins at most, seen from above, as a share of stature:
 /// thighs of one who sits are 0.3 long.
 const OVER: f64 = 0.12;
 /// How many times as large a trunk is just above the crotch as both thighs just below; at a hem a coat

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Plane};
 
-/// The faces all of whose corners lie within a distance of the upright line through a point, and between
+/// The faces all of whose corners are within a distance of the upright line through a point, and between
 /// two heights. \[mm\]
 pub(crate) fn near(
     mesh: &Mesh,

@@ -145,7 +145,7 @@ pub fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     hull
 }
 
-/// A convex polygon without what lies beyond a line (Sutherland and Hodgman 1974).
+/// A convex polygon without what is beyond a line (Sutherland and Hodgman 1974).
 pub(crate) fn clipped(points: &[[f64; 2]], n: [f64; 2], reach: f64) -> Vec<[f64; 2]> {
     let off = |p: &[f64; 2]| n[0] * p[0] + n[1] * p[1] - reach;
     let mut out = Vec::with_capacity(points.len() + 2);

@@ -107,7 +107,7 @@ impl FilePlane {
     }
 }
 
-/// What lies beside a section of a part where its name does not tell: nothing is demanded of it.
+/// What is beside a section of a part where its name does not tell: nothing is demanded of it.
 pub(super) fn region(part: Part) -> Region {
     match part {
         Part::Head => Region::Neck,

@@ -50,12 +50,12 @@ impl Stage for ImportGirths {
     type Output = Girths;
 
     fn run(_: &(), input: GirthsFileInput, _: &Ctx<'_>) -> Result<Girths, Stop> {
-        let (file, said): (String, File) = read(&input.files, "girths.json")?;
-        once(&file, said.girths.iter().map(|g| &g.name))?;
-        let unit = said.unit.unit();
+        let (file, stated): (String, File) = read(&input.files, "girths.json")?;
+        once(&file, stated.girths.iter().map(|g| &g.name))?;
+        let unit = stated.unit.unit();
         // The mean of both arms has no plane: it follows from them, and is written again with them.
         let follows = |g: &&One| GirthId::named(&g.name) == Some(GirthId::UpperArmMean);
-        let taken = said.girths.iter().filter(|g| !follows(g));
+        let taken = stated.girths.iter().filter(|g| !follows(g));
         let girths = taken.map(|g| {
             girth(g, unit).map_err(|why| ImportError::Entry {
                 file: file.clone(),
@@ -64,7 +64,7 @@ impl Stage for ImportGirths {
             })
         });
         let girths: Vec<Girth> = girths.collect::<Result<_, _>>()?;
-        let stature_mm = length(unit, said.stature_cm, said.stature_rel);
+        let stature_mm = length(unit, stated.stature_cm, stated.stature_rel);
         Ok(Girths {
             unit,
             girths,
@@ -82,9 +82,9 @@ fn length(unit: Unit, cm: Option<f64>, rel: Option<f64>) -> Option<f64> {
     }
 }
 
-fn girth(said: &One, unit: Unit) -> Result<Girth, &'static str> {
-    let id = GirthId::named(&said.name).unwrap_or(GirthId::Own);
-    let tape = length(unit, said.tape_cm, said.tape_rel).ok_or(match unit {
+fn girth(stated: &One, unit: Unit) -> Result<Girth, &'static str> {
+    let id = GirthId::named(&stated.name).unwrap_or(GirthId::Own);
+    let tape = length(unit, stated.tape_cm, stated.tape_rel).ok_or(match unit {
         Unit::Metric => "it has no `tape_cm`",
         Unit::Relative => "it has no `tape_rel`",
     })?;
@@ -92,23 +92,23 @@ fn girth(said: &One, unit: Unit) -> Result<Girth, &'static str> {
         return Err("a tape is longer than nothing");
     }
     let ends = match unit {
-        Unit::Metric => said.interval_cm,
-        Unit::Relative => said.interval_rel,
+        Unit::Metric => stated.interval_cm,
+        Unit::Relative => stated.interval_rel,
     };
     let ends = ends.map(|ends| ends.map(|x| length(unit, Some(x), Some(x)).unwrap_or(x)));
     if ends.is_some_and(|[low, high]| !(low..=high).contains(&tape)) {
         return Err("its interval does not hold its tape");
     }
-    let plane = said.plane.as_ref().ok_or("missing field `plane`")?;
+    let plane = stated.plane.as_ref().ok_or("missing field `plane`")?;
     let own = id == GirthId::Own;
     let mark = Landmark::new(id, plane.plane(unit)?, Part::Trunk);
-    let label = said.label.clone();
-    let definition = said.definition.clone();
+    let label = stated.label.clone();
+    let definition = stated.definition.clone();
     Ok(Girth {
         region: if own { Region::Anywhere } else { mark.region },
-        name: said.name.clone(),
+        name: stated.name.clone(),
         label: label.unwrap_or(if own {
-            said.name.replace('_', " ")
+            stated.name.replace('_', " ")
         } else {
             mark.label.clone()
         }),
@@ -117,7 +117,7 @@ fn girth(said: &One, unit: Unit) -> Result<Girth, &'static str> {
         } else {
             mark.definition.clone()
         }),
-        contour_mm: length(unit, said.cm, said.rel)
+        contour_mm: length(unit, stated.cm, stated.rel)
             .filter(|x| *x > 0.0)
             .unwrap_or(tape),
         interval_mm: ends,

@@ -11,7 +11,7 @@ use stage::{Ctx, Files, Stage, Stop};
 use std::sync::Arc;
 
 stage::inputs! {
-    /// Somebody's landmarks, and the surface that they lie on.
+    /// Somebody's landmarks, and the surface that they are on.
     pub struct LandmarksFileInput {
         /// One `landmarks.json`, as `tailor show --as json` writes it: `unit` (`mm` or `relative`) and `landmarks`,
         /// each with `name`, `part`, `plane`, and where they are known `label`, `definition`, `sigma`. All else in it
@@ -85,9 +85,9 @@ impl Stage for ImportLandmarks {
     fn run(_: &(), input: LandmarksFileInput, ctx: &Ctx<'_>) -> Result<Landmarks, Stop> {
         let mesh = &input.mesh;
         let unit = input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit());
-        let (file, said): (String, File) = read(&input.files, "landmarks.json")?;
-        if said.unit.unit() != unit {
-            let (file_unit, unit) = (word(said.unit.unit()), word(unit));
+        let (file, stated): (String, File) = read(&input.files, "landmarks.json")?;
+        if stated.unit.unit() != unit {
+            let (file_unit, unit) = (word(stated.unit.unit()), word(unit));
             let wrong = ImportError::Unit {
                 file,
                 file_unit,
@@ -95,8 +95,8 @@ impl Stage for ImportLandmarks {
             };
             return Err(wrong.into());
         }
-        once(&file, said.landmarks.iter().map(|l| &l.name))?;
-        let found = said.landmarks.iter().map(|l| {
+        once(&file, stated.landmarks.iter().map(|l| &l.name))?;
+        let found = stated.landmarks.iter().map(|l| {
             landmark(l, unit).map_err(|why| ImportError::Entry {
                 file: file.clone(),
                 name: l.name.clone(),
@@ -121,26 +121,26 @@ impl Stage for ImportLandmarks {
     }
 }
 
-fn landmark(said: &One, unit: Unit) -> Result<Landmark, &'static str> {
-    let (plane, sigma) = (said.plane.plane(unit)?, said.sigma.sigma(unit)?);
-    let id = GirthId::named(&said.name).unwrap_or(GirthId::Own);
-    let own = Landmark::new(id, plane, said.part);
+fn landmark(stated: &One, unit: Unit) -> Result<Landmark, &'static str> {
+    let (plane, sigma) = (stated.plane.plane(unit)?, stated.sigma.sigma(unit)?);
+    let id = GirthId::named(&stated.name).unwrap_or(GirthId::Own);
+    let own = Landmark::new(id, plane, stated.part);
     Ok(Landmark {
         region: match id {
-            GirthId::Own => region(said.part),
+            GirthId::Own => region(stated.part),
             _ => own.region,
         },
-        label: match (&said.label, id) {
+        label: match (&stated.label, id) {
             (Some(label), _) => label.clone(),
-            (None, GirthId::Own) => said.name.replace('_', " "),
+            (None, GirthId::Own) => stated.name.replace('_', " "),
             (None, _) => own.label,
         },
-        definition: match (&said.definition, id) {
+        definition: match (&stated.definition, id) {
             (Some(text), _) => text.clone(),
             (None, GirthId::Own) => "as another program has it".into(),
             (None, _) => own.definition,
         },
-        name: said.name.clone(),
+        name: stated.name.clone(),
         sigma,
         ..own
     })

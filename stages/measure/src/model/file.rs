@@ -50,7 +50,7 @@ pub struct LevelModel {
     pub(crate) readings: Vec<Reading>,
     pub(crate) levels: Vec<Level>,
     pub(crate) populations: Vec<Population>,
-    /// Squared distances beyond which a body is not one of a scope's: 99 in 100 lie within, for each
+    /// Squared distances beyond which a body is not one of a scope's: 99 in 100 are within, for each
     /// number of readings.
     pub(crate) limit: Vec<f64>,
     /// Standard deviation of each reading against the definition that it is lined up with.

@@ -1,4 +1,4 @@
-//! Fits a level model: the levels of measured people, told by what a surface shows of made bodies.
+//! Fits a level model: the levels of measured people, estimated by what a surface shows of made bodies.
 //!
 //! A survey gives the joint distribution of levels L and measures v of real people, but no surfaces.
 //! Made bodies give what our program reads on a surface, r = A v + c + e, for the same measures v, but
@@ -65,7 +65,7 @@ fn any_size(normal: &Normal) -> Normal {
     freed
 }
 
-/// Made bodies of all ages. Their ribs and hip bones are not anatomy: waist and hip bone lie from their
+/// Made bodies of all ages. Their ribs and hip bones are not anatomy: waist and hip bone are from their
 /// navels as people's do, and as far scattered.
 fn of_made(made: &[&Made], people: &[&Person]) -> Normal {
     let columns: Vec<Vec<Option<f64>>> = (0..WIDTH)

@@ -22,11 +22,11 @@ pub(crate) struct HeldOut {
     pub bias_mm: f64,
     /// Median of the height's absolute error. \[mm\]
     pub middle_mm: f64,
-    /// Nine in ten lie within. \[mm\]
+    /// Nine in ten are within. \[mm\]
     pub nine_mm: f64,
     /// Median of the tape's absolute error by the level alone; NaN where no tape hangs on it. \[%\]
     pub tape_middle: f64,
-    /// Nine in ten lie within. \[%\]
+    /// Nine in ten are within. \[%\]
     pub tape_nine: f64,
     /// Share of true heights within the 90 % interval.
     pub coverage: f64,
@@ -99,14 +99,14 @@ pub(crate) fn summary(family: &str, level: &'static str, all: &[Miss]) -> HeldOu
 /// Nine times in ten, in standard deviations.
 pub(crate) const NINE_IN_TEN: f64 = 1.645;
 
-fn miss(told: &LevelEstimate, body: &Made, truth: f64) -> Miss {
-    let mm = told.height_mm - truth * body.stature;
+fn miss(reported: &LevelEstimate, body: &Made, truth: f64) -> Miss {
+    let mm = reported.height_mm - truth * body.stature;
     let tapes = body
-        .tape(told.height_mm / body.stature)
+        .tape(reported.height_mm / body.stature)
         .zip(body.tape(truth));
     Miss {
         mm,
-        inside: mm.abs() <= NINE_IN_TEN * told.sigma_mm,
+        inside: mm.abs() <= NINE_IN_TEN * reported.sigma_mm,
         tape: tapes.map(|(got, want)| got / want - 1.0),
     }
 }
@@ -116,7 +116,7 @@ pub(crate) fn tenth(row: usize) -> bool {
     row % 10 == 3
 }
 
-/// Fits without each family in turn and tells it. A family that was driven to single people is told by
+/// Fits without each family in turn and tells it. A family that was driven to single people is estimated by
 /// a fit without them, too.
 pub(crate) fn held_out(people: &[Person], made: &[Made]) -> Result<Vec<HeldOut>, FitError> {
     // What repeats a body is no family of its own.
@@ -156,8 +156,8 @@ pub(crate) fn held_out(people: &[Person], made: &[Made]) -> Result<Vec<HeldOut>,
 /// How a model tells a level of a body whose true level is known.
 fn one(model: &LevelModel, body: &Made, level: Level) -> Option<Miss> {
     let truth = body.levels[level as usize]?;
-    let told = model.estimate(&body.readings, body.stature, level)?;
-    Some(miss(&told, body, truth))
+    let reported = model.estimate(&body.readings, body.stature, level)?;
+    Some(miss(&reported, body, truth))
 }
 
 #[cfg(test)]
@@ -200,9 +200,9 @@ mod tests {
                 let read = Reading::ALL.into_iter().zip(read.iter());
                 let read = read.fold(Readings::default(), |all, (r, v)| all.with(r, Some(*v)));
                 let stature = 1700.0 * libm::exp(person.anatomy[0]);
-                let told = model.estimate(&read, stature, level).unwrap();
-                let miss = told.height_mm - person.levels[level as usize] * stature;
-                off.push((miss, miss.abs() <= NINE_IN_TEN * told.sigma_mm));
+                let reported = model.estimate(&read, stature, level).unwrap();
+                let miss = reported.height_mm - person.levels[level as usize] * stature;
+                off.push((miss, miss.abs() <= NINE_IN_TEN * reported.sigma_mm));
             }
             let n = off.len() as f64;
             let mean = off.iter().map(|o| o.0).sum::<f64>() / n;

@@ -1,10 +1,10 @@
 //! How high a neck's girth is taken: where the thyroid cartilage ends, between the notch of the breastbone and the
 //! angle of throat and floor of the mouth.
 //!
-//! By vertebral levels the hyoid bone lies at the third cervical vertebra, the lower edge of the thyroid cartilage at
+//! By vertebral levels the hyoid bone is at the third cervical vertebra, the lower edge of the thyroid cartilage at
 //! the fifth, the notch at the second thoracic disc (Gray's Anatomy): two thirds of the way. On made bodies the larynx
 //! is carried at 0.66 to 0.72 of it; a test holds both numbers against `models/tables/neck.csv`. The angle shows; the
-//! notch is told by the law of [`Place::Notch`](super::law::Place::Notch), to which the survey's people were driven.
+//! notch is estimated by the law of [`Place::Notch`](super::law::Place::Notch), to which the survey's people were driven.
 
 use super::law::LawEstimate;
 

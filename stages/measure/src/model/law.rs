@@ -1,4 +1,4 @@
-//! Laws: one place told by features that must all be there, as a joint normal distribution of features and
+//! Laws: one place estimated by features that must all be there, as a joint normal distribution of features and
 //! place, so that the place comes with a standard deviation and a body that is unlike all known ones is noticed.
 
 use super::error::ModelError;
@@ -115,7 +115,7 @@ pub struct Law {
     pub(crate) normal: Normal,
     /// Standard deviation of the place on a body of a family that was not fitted on, in the law's unit.
     pub(crate) sigma: f64,
-    /// Squared Mahalanobis distance of the features within which 99 in 100 of the fitted bodies lie.
+    /// Squared Mahalanobis distance of the features within which 99 in 100 of the fitted bodies are.
     pub(crate) limit: f64,
     /// Covariance of the features between two captures of one body.
     pub(crate) repeat: Option<DMatrix<f64>>,

@@ -190,13 +190,13 @@ pub(crate) fn law_held_out(folds: &[Fold<'_>]) -> Vec<HeldOut> {
 
 /// How a law tells a body whose true place is known.
 fn miss(law: &Law, s: &LawSample) -> Option<Miss> {
-    let told = law.estimate(&s.features)?;
+    let reported = law.estimate(&s.features)?;
     let off = off(law, s)?;
     let tape = |at: f64| s.tapes.as_ref()?.at(at);
-    let tapes = tape(told.value).zip(tape(s.place?));
+    let tapes = tape(reported.value).zip(tape(s.place?));
     Some(Miss {
         mm: off * s.unit_mm,
-        inside: off.abs() <= NINE_IN_TEN * told.sigma,
+        inside: off.abs() <= NINE_IN_TEN * reported.sigma,
         tape: tapes.map(|(got, want)| got / want - 1.0),
     })
 }
@@ -216,13 +216,13 @@ mod tests {
 
     /// Upper arms of a family as laws tell them that were fitted without it.
     fn left_out(family: &str, laws: &[(Place, Vec<LawSample>)]) -> Vec<Miss> {
-        let mut told = BTreeSet::new();
+        let mut reported = BTreeSet::new();
         let mut all = Vec::new();
         for (place, samples) in laws {
             let rest: Vec<&LawSample> = samples.iter().filter(|s| s.family != family).collect();
             let law = fit_law(*place, &rest).unwrap();
             for s in samples.iter().filter(|s| s.family == family) {
-                if told.insert(&s.id) {
+                if reported.insert(&s.id) {
                     all.extend(miss(&law, s));
                 }
             }

@@ -1,4 +1,4 @@
-//! How readings follow from the measures of a survey, told by made bodies: r = A v + c + e.
+//! How readings follow from the measures of a survey, estimated by made bodies: r = A v + c + e.
 
 use super::fit_error::FitError;
 use super::normal::Normal;
@@ -55,7 +55,7 @@ fn index(measure: &str) -> usize {
         .expect("bug: no such measure")
 }
 
-/// By how much picked measures of made bodies lie above people's of the same stature, crotch and
+/// By how much picked measures of made bodies are above people's of the same stature, crotch and
 /// buttocks, in the mean, as shares of stature.
 pub(crate) fn picked_bias(people: &[&Person], made: &[&Made]) -> Option<Vec<(usize, f64)>> {
     let rows = DMatrix::from_fn(people.len(), ANATOMY.len(), |i, j| people[i].anatomy[j]);
@@ -255,7 +255,7 @@ pub(crate) fn repeat<T>(
     Some(pairwise(&columns).map(rounded))
 }
 
-/// The value below which 99 in 100 of a χ² distribution lie (Wilson and Hilferty 1931), with the
+/// The value below which 99 in 100 of a χ² distribution are (Wilson and Hilferty 1931), with the
 /// survey's own excess: 22.0 of its people at eight measures against 20.1.
 pub(crate) fn chi_square_99(degrees: usize) -> f64 {
     const EXCESS: f64 = 22.0 / 20.1;

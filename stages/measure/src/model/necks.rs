@@ -44,12 +44,15 @@ pub(crate) fn necks(table: &Table) -> Result<Vec<Neck>, TableError> {
 pub(crate) fn larynx_held_out(folds: &[Fold<'_>], necks: &[Neck]) -> Vec<HeldOut> {
     let miss = |fold: &Fold<'_>, row: usize| -> Option<Miss> {
         let (neck, sample) = (&necks[row], fold.out.iter().find(|s| s.row == row)?);
-        let told = larynx(fold.law.estimate(&sample.features)?, neck.angle?);
-        let off = told.value - neck.larynx?;
-        let tapes = neck.tapes.at(told.value).zip(neck.tapes.at(neck.larynx?));
+        let reported = larynx(fold.law.estimate(&sample.features)?, neck.angle?);
+        let off = reported.value - neck.larynx?;
+        let tapes = neck
+            .tapes
+            .at(reported.value)
+            .zip(neck.tapes.at(neck.larynx?));
         Some(Miss {
             mm: off * neck.unit_mm,
-            inside: off.abs() <= NINE_IN_TEN * told.sigma,
+            inside: off.abs() <= NINE_IN_TEN * reported.sigma,
             tape: tapes.map(|(got, want)| got / want - 1.0),
         })
     };

@@ -29,7 +29,7 @@ pub enum Cover {
     Outside,
 }
 
-/// People's statures lie within so many standard deviations: all but one in two thousand.
+/// People's statures are within so many standard deviations: all but one in two thousand.
 pub(crate) const SIZES: f64 = 3.5;
 
 /// A population's own answer.
@@ -61,7 +61,7 @@ impl LevelModel {
     ) -> Option<LevelEstimate> {
         self.observed(readings).first()?;
         let target = self.readings.len() + self.levels.iter().position(|l| *l == level)?;
-        self.told(readings, stature_mm, target)
+        self.reported(readings, stature_mm, target)
     }
 
     /// A reading that does not show, from those that do, as [`estimate`](Self::estimate) tells a level.
@@ -72,7 +72,7 @@ impl LevelModel {
         reading: Reading,
     ) -> Option<LevelEstimate> {
         let target = self.readings.iter().position(|r| *r == reading)?;
-        self.told(&readings.clone().with(reading, None), stature_mm, target)
+        self.reported(&readings.clone().with(reading, None), stature_mm, target)
     }
 
     /// Whether readings are those of a body that the model knows, of measured people or of made bodies: 99 in 100
@@ -110,7 +110,12 @@ impl LevelModel {
 
     /// One of the model's variables from readings. Where nobody has such a body but for a few of them, those are bad:
     /// the worst is left out in turn, as long as most agree. It is no better known for that.
-    fn told(&self, readings: &Readings, stature_mm: f64, target: usize) -> Option<LevelEstimate> {
+    fn reported(
+        &self,
+        readings: &Readings,
+        stature_mm: f64,
+        target: usize,
+    ) -> Option<LevelEstimate> {
         let all = self.answered(readings, target)?;
         let most = self.observed(readings).len() / 2;
         let (mut used, mut from) = (readings.clone(), all);

@@ -158,8 +158,8 @@ mod tests {
     fn cells_are_numbers_or_empty_and_what_is_neither_is_told_with_its_place() {
         let table = Table::read("t.csv", b"a,b\n1,\n2,x\n").unwrap();
         assert_eq!(table.numbers("a").unwrap(), [1.0, 2.0]);
-        let said = table.optional("b").unwrap_err().to_string();
-        assert_eq!(said, "t.csv, row 2, `b`: `x` is no number");
+        let stated = table.optional("b").unwrap_err().to_string();
+        assert_eq!(stated, "t.csv, row 2, `b`: `x` is no number");
         assert!(
             table
                 .numbers("c")

@@ -1,4 +1,4 @@
-//! Where the girths lie that the user declared: a share of the way along a part of the body.
+//! Where the girths are that the user declared: a share of the way along a part of the body.
 
 use crate::features::body::Body;
 use crate::features::limb::{Limbs, Segment};
@@ -201,20 +201,20 @@ fn landmark(wanted: Wanted<'_>, plane: Plane, sigma: PlaneSigma) -> Landmark {
             "the hip's level to the neck's",
         ),
     };
-    let said = match girth.label.is_empty() {
+    let stated = match girth.label.is_empty() {
         true => name.replace('_', " "),
         false => girth.label.clone(),
     };
     let label = match side {
-        Some(side) => format!("{said}, {}", side.word()),
-        None => said.clone(),
+        Some(side) => format!("{stated}, {}", side.word()),
+        None => stated.clone(),
     };
     Landmark {
         region,
         name: full,
         label,
         definition: format!(
-            "{said}: {how}, {} of the way from {way} (declared in the pipeline)",
+            "{stated}: {how}, {} of the way from {way} (declared in the pipeline)",
             girth.at
         ),
         sigma,
@@ -222,7 +222,7 @@ fn landmark(wanted: Wanted<'_>, plane: Plane, sigma: PlaneSigma) -> Landmark {
     }
 }
 
-/// What lies beside a level of the trunk: hands, nothing, arms.
+/// What is beside a level of the trunk: hands, nothing, arms.
 fn region_of_trunk(at: f64) -> Region {
     match at {
         at if at < 0.15 => Region::Hip,
@@ -241,14 +241,17 @@ mod tests {
             part: OwnPart::Thigh,
             ..OwnGirth::default()
         };
-        let told = |names: &[&str]| {
+        let reported = |names: &[&str]| {
             let declared = names.iter().map(|n| ((*n).to_owned(), girth.clone()));
             let all = declared.collect();
             wanted(&all).map(|w| w.into_iter().map(|w| w.full).collect::<Vec<_>>())
         };
-        assert_eq!(told(&["WC"]), Err(BadName::SectionMeasurement("WC".into())));
-        assert_eq!(told(&["TC"]), Err(BadName::Twice("TC".into())));
-        assert_eq!(told(&["a", "b"]).unwrap(), ["a_L", "a_R", "b_L", "b_R"]);
+        assert_eq!(
+            reported(&["WC"]),
+            Err(BadName::SectionMeasurement("WC".into()))
+        );
+        assert_eq!(reported(&["TC"]), Err(BadName::Twice("TC".into())));
+        assert_eq!(reported(&["a", "b"]).unwrap(), ["a_L", "a_R", "b_L", "b_R"]);
         let taken = |names: &[(&str, OwnPart)]| {
             let declared = names.iter().map(|(name, part)| {
                 let girth = OwnGirth {

@@ -20,7 +20,7 @@ pub fn arm_joints(limbs: &mut Limbs<'_>, model: &LevelModel) -> Option<Message> 
     let mut strange = false;
     for arm in limbs.arms_mut() {
         let Ok(limb) = arm.as_mut() else { continue };
-        match told(limb, model) {
+        match reported(limb, model) {
             Ok(inside) => strange |= !inside,
             Err(why) => *arm = Err(why),
         }
@@ -29,7 +29,7 @@ pub fn arm_joints(limbs: &mut Limbs<'_>, model: &LevelModel) -> Option<Message> 
 }
 
 /// Fills in an arm's joints; whether it is like those that the laws were fitted on.
-fn told(limb: &mut Limb, model: &LevelModel) -> Result<bool, Refusal> {
+fn reported(limb: &mut Limb, model: &LevelModel) -> Result<bool, Refusal> {
     let Some(seen) = limb.seen.filter(|_| limb.kind == Kind::Arm) else {
         return Err(Refusal::NoLimb);
     };
@@ -55,7 +55,7 @@ fn told(limb: &mut Limb, model: &LevelModel) -> Result<bool, Refusal> {
     };
     limb.root = root;
     limb.middle = middle;
-    // Both are told by the same line and err alike (0.7 to 0.85 of made bodies); as one is the safe side.
+    // Both are estimated by the same line and err alike (0.7 to 0.85 of made bodies); as one is the safe side.
     limb.shared = root.sigma * middle.sigma;
     limb.mid_upper_arm = Some(mid_upper_arm);
     Ok(inside)
@@ -64,13 +64,13 @@ fn told(limb: &mut Limb, model: &LevelModel) -> Result<bool, Refusal> {
 /// The first of places whose law's features all show, as a joint, and whether the law knows such arms.
 fn by_laws(seen: &ArmSeen, model: &LevelModel, places: &[Place]) -> Option<(Joint, bool)> {
     let one = |place: &Place| {
-        let told = model.law(*place).estimate(&seen.all(&place.features())?)?;
+        let reported = model.law(*place).estimate(&seen.all(&place.features())?)?;
         let joint = Joint {
-            s: seen.wrist + told.value * seen.stature,
-            sigma: told.sigma * seen.stature,
-            again: told.repeat.map(|r| r * seen.stature),
+            s: seen.wrist + reported.value * seen.stature,
+            sigma: reported.sigma * seen.stature,
+            again: reported.repeat.map(|r| r * seen.stature),
         };
-        Some((joint, told.inside))
+        Some((joint, reported.inside))
     };
     places.iter().find_map(one)
 }

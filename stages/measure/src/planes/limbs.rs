@@ -67,7 +67,7 @@ pub(crate) fn upper_arm(limbs: &Limbs<'_>, stature: f64, side: f64) -> Result<Pl
     Ok((plane, sigma))
 }
 
-/// A ring of one leg, level or square to its line, and the plane it lies in.
+/// A ring of one leg, level or square to its line, and the plane it is in.
 struct Across<'a> {
     limbs: &'a Limbs<'a>,
     leg: &'a Limb,

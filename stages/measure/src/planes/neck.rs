@@ -8,7 +8,7 @@ use shape::{Plane, Refusal};
 /// A section whose tape is longer than the tightest by more than this share is none of the tube: jaw or
 /// shoulders. The survey's necks and the bases of their necks differ by a tenth.
 const LONGER: f64 = 0.12;
-/// How far beside the axis the middle of a section of the tube lies at most, as a share of the diameter.
+/// How far beside the axis the middle of a section of the tube is at most, as a share of the diameter.
 const BESIDE: f64 = 0.2;
 /// Steps in which a plane slides towards the tightest section, as a share of the diameter.
 const SLIDE: f64 = 0.01;
@@ -49,7 +49,7 @@ impl Off {
     }
 }
 
-/// Whether a neck is a groove: too short for a tape to lie anywhere but at its tightest.
+/// Whether a neck is a groove: too short for a tape to be anywhere but at its tightest.
 pub fn is_groove(f: &NeckFeatures) -> bool {
     long(f) < TUBE
 }
@@ -153,11 +153,11 @@ mod tests {
         let errors = |row: usize| {
             let read = Place::Notch.features().into_iter().map(|f| of(row, f));
             let read: Option<Vec<f64>> = read.collect();
-            let told = model.law(Place::Notch).estimate(&read?)?;
-            let told = larynx(told, of(row, "angle")?).value;
+            let reported = model.law(Place::Notch).estimate(&read?)?;
+            let reported = larynx(reported, of(row, "angle")?).value;
             let tape = |at: f64| necks[row].tapes.at(at);
             let own = tape(necks[row].larynx?)?;
-            Some([tape(told)?, tape(0.0)?].map(|t| (t / own - 1.0).abs()))
+            Some([tape(reported)?, tape(0.0)?].map(|t| (t / own - 1.0).abs()))
         };
         let long = |row: &usize| {
             let tube = of(*row, "up").unwrap() - of(*row, "low").unwrap();

@@ -26,13 +26,13 @@ pub struct NeckLevel {
 /// The level by the law of [`Place::Notch`] and the throat's angle. `None` where a feature is not finite.
 pub fn neck_level(f: &NeckFeatures, notch: &Law) -> Option<NeckLevel> {
     let features: Option<Vec<f64>> = Place::Notch.features().iter().map(|n| f.get(n)).collect();
-    let told = larynx(notch.estimate(&features?)?, f.get("angle")?);
+    let reported = larynx(notch.estimate(&features?)?, f.get("angle")?);
     Some(NeckLevel {
-        share: told.value,
-        sigma: told.sigma,
-        repeat: told.repeat,
+        share: reported.value,
+        sigma: reported.sigma,
+        repeat: reported.repeat,
         tilt: TILT_SD,
-        inside: told.inside,
+        inside: reported.inside,
     })
 }
 

@@ -20,21 +20,26 @@ stage::messages! {
 
 /// Hip, waists and chest; the waist of the user's choice is called WC, the other definitions stand
 /// beside it under their own names.
-pub(crate) fn trunk(chosen: Waist, body: &Body, told: Option<&Trunk<'_>>, found: &mut Landmarks) {
+pub(crate) fn trunk(
+    chosen: Waist,
+    body: &Body,
+    reported: Option<&Trunk<'_>>,
+    found: &mut Landmarks,
+) {
     let at = |id: GirthId, placed: Placed| Landmark {
         sigma: placed.sigma,
         ..Landmark::new(id, placed.plane, Part::Trunk)
     };
     // The hip shows on its own, without head and neck.
-    let sigma = told.map(Trunk::hip_sigma).unwrap_or_default();
+    let sigma = reported.map(Trunk::hip_sigma).unwrap_or_default();
     let shown = |plane| Placed { plane, sigma };
     let hip = hip_plane(body).map(|plane| at(GirthId::Hip, shown(plane)));
     let longest = longest_hip_plane(body).map(|plane| at(GirthId::HipGreatest, shown(plane)));
     let placed = |which: Waist| match which {
-        Waist::Natural => told?.at(Level::Waist),
-        Waist::Narrowest => told?.narrowest(),
-        Waist::Navel => told?.at(Level::Navel),
-        Waist::HipBone => told?.at(Level::HipBone),
+        Waist::Natural => reported?.at(Level::Waist),
+        Waist::Narrowest => reported?.narrowest(),
+        Waist::Navel => reported?.at(Level::Navel),
+        Waist::HipBone => reported?.at(Level::HipBone),
     };
     let waist = placed(chosen).map(|p| at(GirthId::Waist, p).by(chosen.id()));
     let others = [
@@ -45,14 +50,14 @@ pub(crate) fn trunk(chosen: Waist, body: &Body, told: Option<&Trunk<'_>>, found:
     ];
     let others = others.into_iter().filter(|which| *which != chosen);
     let others = others.filter_map(|which| Some(at(which.id(), placed(which)?)));
-    let chest = told.and_then(|t| t.at(Level::Chest));
+    let chest = reported.and_then(|t| t.at(Level::Chest));
     let chest = chest.map(|p| at(GirthId::Chest, p));
     for (id, there) in [
         (GirthId::Hip, hip.is_some()),
         (GirthId::Waist, waist.is_some()),
         (GirthId::Chest, chest.is_some()),
     ] {
-        let nowhere = chosen == Waist::Narrowest && told.is_some() && id == GirthId::Waist;
+        let nowhere = chosen == Waist::Narrowest && reported.is_some() && id == GirthId::Waist;
         let reason = match (nowhere, id) {
             (true, _) => Refusal::NoExtreme,
             // Of a whole body: under a skirt.

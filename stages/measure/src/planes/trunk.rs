@@ -54,25 +54,25 @@ impl<'a> Trunk<'a> {
     }
 
     /// A level as the model tells it. `None` where the body's height is no stature.
-    pub(crate) fn told(&self, level: Level) -> Option<LevelEstimate> {
+    pub(crate) fn reported(&self, level: Level) -> Option<LevelEstimate> {
         self.model
             .estimate(self.read.as_ref()?, self.body.stature, level)
     }
 
     /// How well the model knows the body.
     pub(crate) fn cover(&self) -> Option<Cover> {
-        self.told(Level::Waist).map(|t| t.cover)
+        self.reported(Level::Waist).map(|t| t.cover)
     }
 
     /// The plane of a level that the model tells.
     pub(crate) fn at(&self, level: Level) -> Option<Placed> {
-        let told = self.told(level)?;
+        let reported = self.reported(level)?;
         Some(Placed {
-            plane: across(self.body, self.body.ground + told.height_mm),
+            plane: across(self.body, self.body.ground + reported.height_mm),
             sigma: PlaneSigma {
-                level_mm: Some(told.sigma_mm),
+                level_mm: Some(reported.sigma_mm),
                 tilt_rad: None,
-                repeat_mm: told.repeat_mm,
+                repeat_mm: reported.repeat_mm,
             },
         })
     }

@@ -36,7 +36,7 @@ pub(crate) fn across_leg(
     }
     let out = |r: &Ring| extent(r, &(body.left * side));
     let inner = out(&ring).ok_or(NOTHING)?.0;
-    // The whole leg and the other one lie about the body's middle; one leg's ring is narrow.
+    // The whole leg and the other one are about the body's middle; one leg's ring is narrow.
     let own = below(mesh, body, &landmark.plane, side);
     let alone = |ring: Ring| match webbed(body, &ring, side) {
         true if matches!(landmark.id, GirthId::Thigh(_)) => Err(FUSED),
@@ -85,7 +85,7 @@ fn below(mesh: &Mesh, body: &Body, plane: &Plane, side: f64) -> Option<(Ring, f6
     })
 }
 
-/// What of a ring lies beyond a place along a direction.
+/// What of a ring is beyond a place along a direction.
 fn half(
     ring: &Ring,
     plane: &Plane,

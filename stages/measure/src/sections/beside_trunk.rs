@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 pub(crate) struct FreedArm {
     /// Its own outline, bridged between the folds. \[mm\]
     pub(crate) outline: Vec<[f64; 2]>,
-    /// Share of the way around that is bridged, or told by another section.
+    /// Share of the way around that is bridged, or estimated by another section.
     pub(crate) share: f64,
     /// Standard deviation of its tape by what is hidden. \[mm\]
     pub(crate) sigma_mm: f64,
@@ -74,7 +74,7 @@ pub(super) fn fold(at: &impl Fn(usize) -> [f64; 2], count: usize, turn: f64) -> 
     None
 }
 
-/// Frees an arm of the trunk. The outline lies about the arm's middle, `outward` points away from the trunk; `clear` is a section
+/// Frees an arm of the trunk. The outline is about the arm's middle, `outward` points away from the trunk; `clear` is a section
 /// of the arm alone, about its own middle. `None` where the outline does not go around the middle, or has no two folds.
 pub(crate) fn freed_of_trunk(
     outline: &[[f64; 2]],
@@ -85,7 +85,7 @@ pub(crate) fn freed_of_trunk(
     if !holds_origin(outline) {
         return None;
     }
-    // The trunk lies far behind the folds.
+    // The trunk is far behind the folds.
     let far = 3.0 * radius;
     let reach = first_reaches(outline).into_iter().enumerate();
     let star: Vec<[f64; 2]> = reach
@@ -144,7 +144,7 @@ mod tests {
         (0..720).map(at).collect()
     }
 
-    /// One outline with a trunk that lies beyond x = `skin`: what is the trunk's is far away.
+    /// One outline with a trunk that is beyond x = `skin`: what is the trunk's is far away.
     fn beside(arm: &[[f64; 2]], skin: f64) -> Vec<[f64; 2]> {
         let far = |p: &[f64; 2]| if p[0] > skin { p.map(|x| 9.0 * x) } else { *p };
         arm.iter().map(far).collect()

@@ -51,7 +51,7 @@ pub fn picked(mesh: &Mesh, points: &[Vec<f64>]) -> Result<Girth, BadPoints> {
         return Err(BadPoints::NoPlane);
     }
     let (plane, _) = grown(mesh, &points).ok_or(BadPoints::NoSection)?;
-    // The ring that the picked points lie on.
+    // The ring that the picked points are on.
     let off = |curve: &[Point3<f64>]| {
         let least = |p: &Point3<f64>| {
             let all = curve.iter().map(|c| (c - p).norm());

@@ -140,7 +140,7 @@ pub(crate) fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec
 }
 
 /// Parts the arms of the given sides (1 along the first axis, -1 against it) from a trunk. `outline`
-/// lies in axes left and forward; `middle` is within the trunk. `None` where no seam is to be found.
+/// is in axes left and forward; `middle` is within the trunk. `None` where no seam is to be found.
 pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<Parted> {
     if outline.len() < 8 {
         return None;

@@ -3,6 +3,6 @@
 pub(crate) mod contradicted;
 pub(crate) mod interval;
 pub(crate) mod outlines;
+pub(crate) mod reported;
 pub(crate) mod silhouette;
-pub(crate) mod told;
 pub(crate) mod unobserved;

@@ -35,7 +35,7 @@ fn cover(mask: &Mask, at: Point2<f64>) -> Option<f64> {
 }
 
 /// The two tangents that one photo gives of a level section, where its borders show and no other
-/// limb's outline is near. `curve` and `others` lie at one height; `origin` is what supports are from.
+/// limb's outline is near. `curve` and `others` are at one height; `origin` is what supports are from.
 pub fn tangents(
     curve: &[Point3<f64>],
     others: &[&[Point3<f64>]],

@@ -82,7 +82,7 @@ pub(crate) fn unconfirmed(section: &[[f64; 2]], mut sights: Vec<f64>) -> f64 {
 mod tests {
     use super::*;
 
-    /// An ellipse of 360 by 240 mm; where its normal lies within the half angle about the front it may
+    /// An ellipse of 360 by 240 mm; where its normal is within the half angle about the front it may
     /// run out to the corner of its tangents there.
     fn section(corner: Option<f64>) -> (Vec<[f64; 2]>, f64) {
         let at = |t: f64| [180.0 * libm::cos(t), 120.0 * libm::sin(t)];
@@ -119,8 +119,11 @@ mod tests {
         let (round, _) = section(None);
         let (cornered, more) = section(Some(half));
         assert!(more > 10.0, "{more}");
-        let told = unconfirmed(&cornered, open.clone());
-        assert!((0.6..1.4).contains(&(told / more)), "{told} for {more}");
+        let reported = unconfirmed(&cornered, open.clone());
+        assert!(
+            (0.6..1.4).contains(&(reported / more)),
+            "{reported} for {more}"
+        );
         let least = unconfirmed(&round, open);
         assert!(least < 0.15 * more, "{least}");
         assert_eq!(unconfirmed(&cornered, every(10).collect()), 0.0);

@@ -1,4 +1,4 @@
-//! Bodies that nobody could tape so: told by their reasons, nothing invented.
+//! Bodies that nobody could tape so: estimated by their reasons, nothing invented.
 
 use crate::made;
 
@@ -211,7 +211,7 @@ fn crossed_arms_are_in_no_girth_of_the_trunk() {
     let s = 1700.0 / 1750.0;
     for height in [1240.0, 1150.0] {
         let mut crossed = built(1700.0, 1.0, 30.0);
-        // Shoulders stay; upper arms hang at the sides, forearms lie across the trunk's front.
+        // Shoulders stay; upper arms hang at the sides, forearms are across the trunk's front.
         crossed.parts.retain(|part| match part {
             SolidPart::Limb { from, .. } => from[0].abs() < 100.0,
             _ => true,

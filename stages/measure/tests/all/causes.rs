@@ -64,7 +64,7 @@ fn masks(mesh: &Mesh, cameras: &Cameras) -> Masks {
     }
 }
 
-/// Without what lies below the hips of every or of one photo.
+/// Without what is below the hips of every or of one photo.
 fn halved(masks: &mut Masks, one: Option<u32>) {
     for k in (0..PHOTOS).filter(|k| one.is_none_or(|one| one == *k)) {
         let mask = masks.views.get_mut(PhotoId(k)).unwrap();
@@ -124,7 +124,7 @@ fn with_lost(
 
 /// The one reason of all that is missing, told once.
 #[track_caller]
-fn told((girths, warned): (Girths, Vec<String>)) -> Missing {
+fn reported((girths, warned): (Girths, Vec<String>)) -> Missing {
     assert!(girths.girths.is_empty());
     let first = girths.missing.first().unwrap().clone();
     for missing in &girths.missing {
@@ -161,7 +161,7 @@ fn a_refused_body_names_its_cause_once() {
 
     let mut one = whole.clone();
     halved(&mut one, Some(4));
-    let cut = told(measured(&upper, one, none()));
+    let cut = reported(measured(&upper, one, none()));
     assert_eq!(cut.reason, Refusal::Outlines);
     assert!(
         cut.why.contains("0004.jpg") && !cut.why.contains("0003.jpg"),
@@ -173,7 +173,7 @@ fn a_refused_body_names_its_cause_once() {
     let mask = empty.views.get_mut(PhotoId(7)).unwrap();
     mask.data.fill(0);
     (0..20).for_each(|x| mask.data[200 * 100 + 90 + x] = 255);
-    let cut = told(measured(&upper, empty, none()));
+    let cut = reported(measured(&upper, empty, none()));
     assert_eq!(cut.reason, Refusal::EmptyPhoto);
     assert!(cut.why.contains("0007.jpg"), "{}", cut.why);
 
@@ -182,7 +182,7 @@ fn a_refused_body_names_its_cause_once() {
     for k in 0..PHOTOS {
         through.views.get_mut(PhotoId(k)).unwrap().data[200 * 138..200 * 142].fill(0);
     }
-    let apart = told(measured(&upper, through, none()));
+    let apart = reported(measured(&upper, through, none()));
     assert_eq!(apart.reason, Refusal::Incomplete);
     assert!(apart.why.contains("hangs apart"), "{}", apart.why);
 
@@ -194,7 +194,7 @@ fn a_refused_body_names_its_cause_once() {
         weight_kg,
         ..Rig::default()
     };
-    let short = told(measured(
+    let short = reported(measured(
         &upper,
         half.clone(),
         known(Some(1700.0), Some(70.0)),
@@ -205,10 +205,10 @@ fn a_refused_body_names_its_cause_once() {
         "{}",
         short.why
     );
-    let light = told(measured(&upper, half.clone(), known(None, Some(70.0))));
+    let light = reported(measured(&upper, half.clone(), known(None, Some(70.0))));
     assert_eq!(light.reason, Refusal::Incomplete);
     assert!(light.why.contains("70.0 kg"), "{}", light.why);
-    let unknown = told(measured(&upper, half, none()));
+    let unknown = reported(measured(&upper, half, none()));
     assert!(
         [Refusal::NoLegs, Refusal::NotUpright].contains(&unknown.reason),
         "{unknown:?}"
@@ -219,7 +219,7 @@ fn a_refused_body_names_its_cause_once() {
 fn legs_that_most_masks_leave_out_have_no_girths_and_those_of_one_mask_have() {
     let body = made::meshed(&made::built(1700.0, 1.0, 12.0), 12.0);
     let whole = masks(&body, &cameras());
-    let told = |photos: u32| {
+    let reported = |photos: u32| {
         let mut parts = LostParts {
             photos: PHOTOS,
             ..LostParts::default()
@@ -229,12 +229,12 @@ fn legs_that_most_masks_leave_out_have_no_girths_and_those_of_one_mask_have() {
     };
     let names =
         |girths: &Girths| -> Vec<String> { girths.girths.iter().map(|g| g.name.clone()).collect() };
-    let (one, _) = told(1);
+    let (one, _) = reported(1);
     assert_eq!(
         names(&one),
         names(&measured(&body, whole.clone(), Rig::default()).0)
     );
-    let (most, warned) = told(7);
+    let (most, warned) = reported(7);
     let left: Vec<String> = names(&one)
         .into_iter()
         .filter(|name| !name.starts_with("TC") && !name.starts_with("CFC"))
@@ -242,6 +242,6 @@ fn legs_that_most_masks_leave_out_have_no_girths_and_those_of_one_mask_have() {
     assert!(left.len() < one.girths.len(), "{:?}", names(&one));
     assert_eq!(names(&most), left);
     let why = "7 of 12 masks leave out a part of the body that this needs";
-    let told = warned.iter().filter(|w| w.contains(why)).count();
-    assert_eq!(told, 1, "{warned:#?}");
+    let reported = warned.iter().filter(|w| w.contains(why)).count();
+    assert_eq!(reported, 1, "{warned:#?}");
 }

@@ -114,7 +114,7 @@ fn where_a_foot_is_lost_the_head_tells_which_side_is_the_front() {
     let mut mesh = meshed(&built(32.0));
     let top = mesh.bounds().unwrap().1.z;
     // A head is carried a fiftieth of the stature before the shoulders; one foot is gone, and of the
-    // other all that lies before its heel.
+    // other all that is before its heel.
     for p in &mut mesh.positions {
         if f64::from(p[2]) > 0.87 * top {
             p[1] -= (0.02 * top) as f32;

@@ -181,18 +181,18 @@ fn a_level_that_nobody_knows_gives_no_interval_and_one_far_too_uncertain_no_numb
     mark(&mut found, "WC", None);
     mark(&mut found, "CFC_L", Some(250.0));
     mark(&mut found, "HC", Some(0.0));
-    let told = girths(&mesh, found, &GirthParams::default());
-    let waist = told.get("WC").unwrap();
+    let reported = girths(&mesh, found, &GirthParams::default());
+    let waist = reported.get("WC").unwrap();
     assert_eq!((waist.interval_mm, waist.sigmas.level_mm), (None, None));
     assert!(waist.remarks()[0].contains("how sure the level is"));
-    let missing = told.missing.iter().find(|m| m.name == "CFC_L").unwrap();
+    let missing = reported.missing.iter().find(|m| m.name == "CFC_L").unwrap();
     assert_eq!(
         (missing.reason, missing.id.is_some()),
         (Refusal::TooUncertain, true)
     );
-    assert!(told.get("CFC_L").is_none());
+    assert!(reported.get("CFC_L").is_none());
     // A level without doubt is a part of zero, and repeats are narrower than no interval.
-    let hip = told.get("HC").unwrap();
+    let hip = reported.get("HC").unwrap();
     assert_eq!(hip.sigmas.level_mm, Some(0.0));
     let (low, high) = hip.interval_mm.map(|[low, high]| (low, high)).unwrap();
     assert!(hip.repeat_mm.unwrap() > 0.0 && hip.repeat_mm.unwrap() < high - low);
@@ -242,7 +242,7 @@ impl Host for Heard {
 #[test]
 fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
     let mesh = Arc::new(made::meshed(&made::built(1400.0, 1.0, 30.0), 12.0));
-    let told = |person: Person, day: Option<&str>| {
+    let reported = |person: Person, day: Option<&str>| {
         let rig = Rig {
             stature_mm: Some(1400.0),
             weight_kg: Some(35.0),
@@ -273,17 +273,17 @@ fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
         born: Some(day.into()),
         age_months: None,
     };
-    let (child, warned) = told(born("2016-05-01"), Some("2026-05-01"));
+    let (child, warned) = reported(born("2016-05-01"), Some("2026-05-01"));
     let growth = child.growth.unwrap();
     let (bmi, height) = (growth.bmi.unwrap(), growth.height.unwrap());
-    // Girls of ten: median 138.6 cm, 4.61 % spread; 17.9 kg/m² lies between the median and one standard deviation.
+    // Girls of ten: median 138.6 cm, 4.61 % spread; 17.9 kg/m² is between the median and one standard deviation.
     proof::near(height.z, (140.0 - 138.6) / (138.6 * 0.0461), 0.03);
     assert!((0.4..0.8).contains(&bmi.z) && (65.0..80.0).contains(&bmi.centile));
     assert!(!warned.contains("day of birth"), "{warned}");
     let whr = child.ratios.iter().find(|r| r.0 == "WHR").unwrap();
     assert_eq!(whr.2, "", "no threshold of adults");
-    let (unknown, warned) = told(born("2016-05-01"), None);
+    let (unknown, warned) = reported(born("2016-05-01"), None);
     assert!(unknown.growth.is_none() && warned.contains("not that of the capture"));
-    let (later, warned) = told(born("2026-05-02"), Some("2026-05-01"));
+    let (later, warned) = reported(born("2026-05-02"), Some("2026-05-01"));
     assert!(later.age_months.is_none() && warned.contains("before the day of birth"));
 }

@@ -17,7 +17,7 @@ fn with(more: impl FnOnce(&mut Solid)) -> Mesh {
     meshed(&solid, 10.0)
 }
 
-fn said(height_mm: f64) -> GivenGround {
+fn stated(height_mm: f64) -> GivenGround {
     GivenGround {
         height_mm,
         firm: false,
@@ -35,8 +35,8 @@ fn mat() -> GivenGround {
     }
 }
 
-fn near(mesh: &Mesh, told: Option<GivenGround>, height: f64) -> measure::Ground {
-    let found = ground(mesh, told.as_ref()).unwrap();
+fn near(mesh: &Mesh, reported: Option<GivenGround>, height: f64) -> measure::Ground {
+    let found = ground(mesh, reported.as_ref()).unwrap();
     let off = found.height_mm - height;
     assert!(off.abs() < 7.0, "{} for {height}", found.height_mm);
     assert!(found.sigma_mm > 0.5 && found.sigma_mm < 15.0, "{found:?}");
@@ -65,10 +65,10 @@ fn a_ground_that_the_body_does_not_touch_is_told_and_the_soles_are_taken() {
     let mesh = with(|_| {});
     assert_eq!(near(&mesh, None, 0.0).word, None);
     assert_eq!(near(&mesh, Some(mat()), 0.0).word, None);
-    assert_eq!(near(&mesh, Some(said(3.0)), 0.0).word, None);
-    let low = near(&mesh, Some(said(-419.0)), 0.0).word.unwrap();
+    assert_eq!(near(&mesh, Some(stated(3.0)), 0.0).word, None);
+    let low = near(&mesh, Some(stated(-419.0)), 0.0).word.unwrap();
     assert!(low.contains("42") && low.contains("below"), "{low}");
-    let high = near(&mesh, Some(said(80.0)), 0.0).word.unwrap();
+    let high = near(&mesh, Some(stated(80.0)), 0.0).word.unwrap();
     assert!(high.contains("above"), "{high}");
     // So a stature and all that is a share of it do not change.
     let own = measured(mesh.clone()).0;
@@ -107,7 +107,7 @@ fn specks_and_threads_below_the_feet_are_no_ground() {
         mesh.faces.push(f.map(|v| first + v));
     }
     near(&mesh, None, 0.0);
-    near(&mesh, Some(said(-300.0)), 0.0);
+    near(&mesh, Some(stated(-300.0)), 0.0);
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn one_foot_tells_the_ground_and_none_leaves_it_to_the_mat() {
     near(&cut(&whole, 110.0, |x| x > 0.0), None, 0.0);
     let none = cut(&whole, 110.0, |_| true);
     assert_eq!(ground(&none, None), Err(Refusal::NoGround));
-    assert_eq!(ground(&none, Some(&said(0.0))), Err(Refusal::NoGround));
+    assert_eq!(ground(&none, Some(&stated(0.0))), Err(Refusal::NoGround));
     let lost = near(&none, Some(mat()), 0.0);
     assert!(lost.word.unwrap().contains("lost"));
     // Far above a mat, or below it, nothing can be trusted.

@@ -45,7 +45,7 @@ fn law(place: Place, told_by: usize) -> String {
     )
 }
 
-/// A law of the notch, told by `head`.
+/// A law of the notch, estimated by `head`.
 fn notch() -> String {
     law(Place::Notch, 3)
 }
@@ -69,17 +69,21 @@ fn readings(stature_mm: f64, buttock: f64) -> Readings {
 #[test]
 fn a_level_is_told_with_its_scatter_and_what_repeats() {
     let model = read(&text()).unwrap();
-    let told = model
+    let reported = model
         .estimate(&readings(1700.0, 0.49), 1700.0, Level::Waist)
         .unwrap();
-    proof::near(told.height_mm, 1700.0 * (0.3 + 0.68 * 0.49), 0.01);
-    proof::near(told.sigma_mm, 1700.0 * 0.006, 0.01);
-    proof::near(told.repeat_mm.unwrap(), 1700.0 * 0.68 * 0.002, 0.01);
-    assert_eq!(told.cover, Cover::People);
+    proof::near(reported.height_mm, 1700.0 * (0.3 + 0.68 * 0.49), 0.01);
+    proof::near(reported.sigma_mm, 1700.0 * 0.006, 0.01);
+    proof::near(reported.repeat_mm.unwrap(), 1700.0 * 0.68 * 0.002, 0.01);
+    assert_eq!(reported.cover, Cover::People);
     // Without the buttock the level scatters as the buttock does, too.
     let blind = Readings::default().with(Reading::LnStature, Some(0.0));
-    let told = model.estimate(&blind, 1700.0, Level::Waist).unwrap();
-    proof::near(told.sigma_mm, 1700.0 * libm::hypot(0.0068f64, 0.006), 0.01);
+    let reported = model.estimate(&blind, 1700.0, Level::Waist).unwrap();
+    proof::near(
+        reported.sigma_mm,
+        1700.0 * libm::hypot(0.0068f64, 0.006),
+        0.01,
+    );
     assert!(
         model
             .estimate(&Readings::default(), 1700.0, Level::Waist)
@@ -108,8 +112,8 @@ fn a_body_beyond_the_people_is_told_by_made_ones_and_beyond_both_with_growing_in
     let child = Readings::default()
         .with(Reading::LnStature, Some(libm::log(900.0f64 / 1700.0)))
         .with(Reading::Buttock, Some(0.50));
-    let told = small.estimate(&child, 900.0, Level::Waist).unwrap();
-    assert_ne!(told.cover, Cover::People);
+    let reported = small.estimate(&child, 900.0, Level::Waist).unwrap();
+    assert_ne!(reported.cover, Cover::People);
 }
 
 /// A belly that was taken for the bust, and a double chin for the neck.
@@ -150,12 +154,15 @@ fn a_place_is_told_by_its_law_and_repeats_only_where_the_file_says_how() {
     let model = read(&text()).unwrap();
     let mut features = [0.0; 4];
     features[3] = 0.3;
-    let told = model.law(Place::Notch).estimate(&features).unwrap();
-    proof::near(told.value, 0.03, 1e-9);
-    assert_eq!((told.sigma, told.repeat, told.inside), (0.06, None, true));
+    let reported = model.law(Place::Notch).estimate(&features).unwrap();
+    proof::near(reported.value, 0.03, 1e-9);
+    assert_eq!(
+        (reported.sigma, reported.repeat, reported.inside),
+        (0.06, None, true)
+    );
     let shipped = LevelModel::built_in();
-    let told = shipped.law(Place::Notch).estimate(&features).unwrap();
-    assert!(told.repeat.unwrap() < told.sigma);
+    let reported = shipped.law(Place::Notch).estimate(&features).unwrap();
+    assert!(reported.repeat.unwrap() < reported.sigma);
 }
 
 #[test]
@@ -173,26 +180,26 @@ fn files_that_are_no_model_are_refused_with_what_would_fit() {
     );
     assert!(bad("\"buttock\"", "\"girdle\"").contains("`girdle` is neither a reading nor a level"));
     assert!(bad("weight = 1.0", "weight = nan").contains("weight"));
-    let said = bad("[0.0, 0.0001]", "[0.0, nan]");
-    assert!(said.contains("finite covariances"), "{said}");
+    let stated = bad("[0.0, 0.0001]", "[0.0, nan]");
+    assert!(stated.contains("finite covariances"), "{stated}");
     assert!(bad("[0.0, 0.0001]", "[0.0, -0.0001]").contains("not positive definite"));
     assert!(bad("limit = [6.6, 9.2]", "limit = [6.6]").contains("limit"));
     for short in ["[0.001]", "[0.001, nan]"] {
-        let said = bad(
+        let stated = bad(
             "reading_sigma = [0.001, 0.002]",
             &format!("reading_sigma = {short}"),
         );
-        assert!(said.contains("reading_sigma"), "{said}");
+        assert!(stated.contains("reading_sigma"), "{stated}");
     }
-    let said = bad("place = \"notch\"", "place = \"chin\"");
+    let stated = bad("place = \"notch\"", "place = \"chin\"");
     assert!(
-        said.contains("no law of `chin`; known laws: notch, acromion"),
-        "{said}"
+        stated.contains("no law of `chin`; known laws: notch, acromion"),
+        "{stated}"
     );
-    let said = bad("\"lean\"", "\"tilt\"");
+    let stated = bad("\"lean\"", "\"tilt\"");
     assert!(
-        said.contains("needs the features up, low, lean, head"),
-        "{said}"
+        stated.contains("needs the features up, low, lean, head"),
+        "{stated}"
     );
     assert!(bad("sigma = 0.06", "sigma = nan").contains("positive `sigma`"));
     let twice = notch() + &notch();

@@ -32,17 +32,17 @@ fn the_hip_is_where_the_buttocks_reach_farthest_and_the_calf_where_it_is_fullest
     let solid = built(stature, stout, 32.0);
     let girths = measured(meshed(&solid, 8.0 * stature / 1700.0)).1;
     let s = stature / 1750.0;
-    let told = |name: &str| girths.get(name).unwrap().plane.point_mm[2];
+    let reported = |name: &str| girths.get(name).unwrap().plane.point_mm[2];
     let back = |curve: &[nalgebra::Point3<f64>], _: &Plane| {
         curve.iter().map(|p| p.y).fold(f64::MIN, f64::max)
     };
     let hip = greatest(&solid, [0.0, 14.0 * s], (850.0 * s, 910.0 * s), back);
-    let off = told("HC") - hip;
+    let off = reported("HC") - hip;
     assert!(off.abs() < 0.004 * stature, "hip {off} mm off");
     let tape = |curve: &[nalgebra::Point3<f64>], plane: &Plane| length(&taut(curve, plane));
     let calf = greatest(&solid, [103.0 * s, 14.0 * s], (280.0 * s, 400.0 * s), tape);
     for name in ["CFC_L", "CFC_R"] {
-        let off = told(name) - calf;
+        let off = reported(name) - calf;
         assert!(off.abs() < 0.012 * stature, "{name} {off} mm off");
     }
 }

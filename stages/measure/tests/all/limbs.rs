@@ -164,7 +164,7 @@ fn every_limbs_girth_is_its_own_in_every_pose() {
                     "{name}, arms {}, elbows {}, knees {}",
                     pose.arm, pose.elbow, pose.knee
                 );
-                // What the trunk hides is told from farther down.
+                // What the trunk hides is estimated from farther down.
                 let within = if girth.definition.contains("split") {
                     0.04
                 } else {

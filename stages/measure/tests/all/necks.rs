@@ -56,8 +56,8 @@ fn a_plane_is_square_to_the_necks_axis_however_it_leans() {
     for degrees in [0.0, 12.0, 24.0, 35.0] {
         let (landmark, tape) = neck(meshed(&leaning(degrees, 1.0), 7.0)).unwrap();
         let [_, y, z] = landmark.plane.normal;
-        let told = libm::atan2(-y, z).to_degrees();
-        assert!((told - degrees).abs() < 2.0, "{told} for {degrees}");
+        let reported = libm::atan2(-y, z).to_degrees();
+        assert!((reported - degrees).abs() < 2.0, "{reported} for {degrees}");
         assert!(
             (tape / around - 1.0).abs() < 0.02,
             "{tape} for {around} at {degrees}"

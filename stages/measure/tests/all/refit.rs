@@ -49,8 +49,8 @@ fn a_refit_writes_the_model_that_ships() {
 
 #[test]
 fn a_fit_without_one_of_its_tables_says_which() {
-    let said = fitted(&["ansur2.csv"]).unwrap_err();
-    assert_eq!(said, "there is no made-bodies.csv among the files");
+    let stated = fitted(&["ansur2.csv"]).unwrap_err();
+    assert_eq!(stated, "there is no made-bodies.csv among the files");
 }
 
 #[test]

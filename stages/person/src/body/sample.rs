@@ -6,7 +6,7 @@ use shape::{Crop, Found, Rgb};
 /// Around whoever is painted over so many of the network's pixels go, too: derived from how right its outline is ([`Found::pixel_px`]).
 const BESIDE: f32 = 2.0;
 
-/// The colours of the square in `side` × `side` pixels, 0 to 255, each the mean of what lies in it; black outside of the
+/// The colours of the square in `side` × `side` pixels, 0 to 255, each the mean of what is in it; black outside of the
 /// photo.
 pub(super) fn sampled(photo: &Rgb, crop: &Crop, side: usize) -> Vec<f32> {
     // Bilinear samples at most two photo pixels apart weigh each pixel alike.

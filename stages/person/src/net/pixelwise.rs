@@ -32,7 +32,7 @@ pub(super) fn max_pool(image: &Tensor) -> Tensor {
 /// Twice as high and wide, bilinear, the centres of pixels at halves.
 pub(super) fn doubled(image: &Tensor) -> Tensor {
     let mut out = Tensor::zeros(2 * image.height, 2 * image.width, image.channels);
-    // The two pixels that a pixel of the output lies between, and how far behind the first.
+    // The two pixels that a pixel of the output is between, and how far behind the first.
     let between = |at: usize, n: usize| match at.is_multiple_of(2) {
         true => ((at / 2).saturating_sub(1), at / 2, 0.75),
         false => (at / 2, (at / 2 + 1).min(n - 1), 0.25),

@@ -52,7 +52,7 @@ fn masks_without_legs_or_head_are_named_by_photo() {
     let masks = Masks {
         views: (0..4).map(PhotoId).map(own).collect(),
     };
-    let told = |masks: &Masks| {
+    let reported = |masks: &Masks| {
         let heard = Heard::default();
         let nothing = stage::hash(b"");
         let input = AlarmInput {
@@ -68,19 +68,22 @@ fn masks_without_legs_or_head_are_named_by_photo() {
         photos: 4,
         ..LostParts::default()
     };
-    assert_eq!(told(&masks), (nothing, vec![]));
+    assert_eq!(reported(&masks), (nothing, vec![]));
     // Nothing below the hips on one; the upper half on another.
     let mut broken = masks.clone();
     let legs = broken.views.get_mut(PhotoId(1)).unwrap();
     legs.data[700 * 800..].fill(0);
     let upper = broken.views.get_mut(PhotoId(3)).unwrap();
     upper.data[..330 * 800].fill(0);
-    let (parts, told) = told(&broken);
+    let (parts, reported) = reported(&broken);
     assert_eq!(parts.of(BodyPart::Legs), [PhotoId(1)]);
     assert_eq!(parts.of(BodyPart::Head), [PhotoId(3)]);
-    let says = |what: &str| told.iter().any(|t| t.contains(what));
-    assert!(says("a leg or a part of it on 0004.jpg,"), "{told:?}");
-    assert!(says("a foot or a part of it on 0004.jpg,"), "{told:?}");
-    assert!(says("the head or a part of it on 0013.jpg,"), "{told:?}");
-    assert!(!says("0000.jpg") && !says("0009.jpg"), "{told:?}");
+    let says = |what: &str| reported.iter().any(|t| t.contains(what));
+    assert!(says("a leg or a part of it on 0004.jpg,"), "{reported:?}");
+    assert!(says("a foot or a part of it on 0004.jpg,"), "{reported:?}");
+    assert!(
+        says("the head or a part of it on 0013.jpg,"),
+        "{reported:?}"
+    );
+    assert!(!says("0000.jpg") && !says("0009.jpg"), "{reported:?}");
 }

@@ -1,4 +1,4 @@
-//! What is odd about the people on a turn is told by photo; the sample and things are passed over in silence.
+//! What is odd about the people on a turn is reported by photo; the sample and things are passed over in silence.
 
 use person::{FindPeople, FindPeopleInput, FindPeopleParams};
 use shape::{People, Photo, Photos, Rgb, rgb_to_png};
@@ -67,10 +67,10 @@ fn photos_without_with_two_cut_off_and_turned_people_are_named() {
     ]
     .map(sample);
     let whole = |i: usize| photo(&format!("{i}.png"), &turn[i]);
-    let (people, told) = found((0..6).map(whole).collect());
+    let (people, reported) = found((0..6).map(whole).collect());
     assert!(people.person && people.views.values().all(|f| f.len() == 1));
     assert_eq!(
-        told,
+        reported,
         Vec::<String>::new(),
         "nothing is odd about the sample"
     );
@@ -93,17 +93,28 @@ fn photos_without_with_two_cut_off_and_turned_people_are_named() {
     ];
     let mut photos: Vec<Photo> = (0..6).map(whole).collect();
     photos.extend(odd.map(|(name, pixels)| photo(name, pixels)));
-    let (people, told) = found(photos);
+    let (people, reported) = found(photos);
     assert!(people.person);
-    let says = |what: &str| told.iter().find(|t| t.contains(what)).map(String::as_str);
+    let says = |what: &str| {
+        reported
+            .iter()
+            .find(|t| t.contains(what))
+            .map(String::as_str)
+    };
     let nobody = says("nobody is seen").unwrap_or_default();
-    assert!(nobody.contains("on empty,"), "{told:?}");
+    assert!(nobody.contains("on empty,"), "{reported:?}");
     let two = says("more than one person").unwrap_or_default();
-    assert!(two.contains("on two:"), "{told:?}");
-    assert!(says("at the upper edge of upper:").is_some(), "{told:?}");
-    assert!(says("at the lower edge of lower:").is_some(), "{told:?}");
-    assert!(says("upside down on over:").is_some(), "{told:?}");
-    assert_eq!(told.len(), 5, "{told:?}");
+    assert!(two.contains("on two:"), "{reported:?}");
+    assert!(
+        says("at the upper edge of upper:").is_some(),
+        "{reported:?}"
+    );
+    assert!(
+        says("at the lower edge of lower:").is_some(),
+        "{reported:?}"
+    );
+    assert!(says("upside down on over:").is_some(), "{reported:?}");
+    assert_eq!(reported.len(), 5, "{reported:?}");
 }
 
 #[test]
@@ -114,6 +125,6 @@ fn a_thing_is_no_person_and_nothing_is_said() {
             *thing.at_mut(x, y) = [180, 40, (y % 200) as u8];
         }
     }
-    let (people, told) = found((0..4).map(|i| photo(&format!("{i}.png"), &thing)).collect());
-    assert!(!people.person && told.is_empty(), "{told:?}");
+    let (people, reported) = found((0..4).map(|i| photo(&format!("{i}.png"), &thing)).collect());
+    assert!(!people.person && reported.is_empty(), "{reported:?}");
 }

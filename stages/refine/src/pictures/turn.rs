@@ -23,13 +23,13 @@ stage::params! {
 stage::inputs! {
     /// A surface and the photos of one turn.
     pub struct TurnInput {
-        /// Closed; a hull will do, but a deformation is told apart from shape only on an optimized surface.
+        /// Closed; a hull will do, but a deformation is kept apart from shape only on an optimized surface.
         mesh: Arc<Mesh>,
         /// Those without a camera are passed over.
         photos: Arc<Photos>,
         /// Where they were taken: as the body saw them, once that is known.
         cameras: Arc<Cameras>,
-        /// Silhouettes: what lies beyond them is not the body.
+        /// Silhouettes: what is beyond them is not the body.
         masks: Option<Arc<Masks>>,
     }
 }

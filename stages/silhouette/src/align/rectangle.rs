@@ -19,11 +19,11 @@ pub enum RectangleError {
     Count(usize),
     /// Empty, or off the photo.
     #[error(
-        "`box_px` {said:?} is no part of a photo of {width}×{height} pixels: left must be less than right, top less than bottom, and some of the photo must be left over around it"
+        "`box_px` {stated:?} is no part of a photo of {width}×{height} pixels: left must be less than right, top less than bottom, and some of the photo must be left over around it"
     )]
     Place {
         /// What was said.
-        said: Vec<f64>,
+        stated: Vec<f64>,
         /// The photo's width.
         width: u32,
         /// The photo's height.
@@ -37,14 +37,14 @@ impl Rectangle {
     /// # Errors
     ///
     /// Other than four numbers; a rectangle that is empty, off the photo, or all of it.
-    pub fn read(said: &[f64], width: u32, height: u32) -> Result<Option<Self>, RectangleError> {
-        let [left, top, right, bottom] = match said {
+    pub fn read(stated: &[f64], width: u32, height: u32) -> Result<Option<Self>, RectangleError> {
+        let [left, top, right, bottom] = match stated {
             [] => return Ok(None),
             [a, b, c, d] => [*a, *b, *c, *d],
             other => return Err(RectangleError::Count(other.len())),
         };
         let wrong = || RectangleError::Place {
-            said: said.to_vec(),
+            stated: stated.to_vec(),
             width,
             height,
         };
@@ -64,7 +64,7 @@ impl Rectangle {
         some.then_some(rectangle).map(Some).ok_or_else(wrong)
     }
 
-    /// Whether a pixel of the photo, reduced by a factor, lies in it.
+    /// Whether a pixel of the photo, reduced by a factor, is in it.
     pub fn holds(&self, x: usize, y: usize, factor: usize) -> bool {
         let middle = |v: usize| v * factor + factor / 2;
         (self.left..self.right).contains(&middle(x)) && (self.top..self.bottom).contains(&middle(y))

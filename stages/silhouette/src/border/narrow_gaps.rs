@@ -18,7 +18,7 @@ const REACH: f64 = 0.027;
 /// So many places are asked along a row or column to each side.
 const ASKED: usize = 16;
 
-/// Gives pixels of the body to the background that lie in the narrow ends of gaps, the middle of each
+/// Gives pixels of the body to the background that are in the narrow ends of gaps, the middle of each
 /// neighbourhood: what is beside may be mixed. The disk is left out, whose light is not known so well.
 pub(crate) fn follow(
     sides: &mut Image<bool>,
@@ -146,7 +146,7 @@ fn beside(at: usize, width: usize) -> [usize; 4] {
     [at - 1, at + 1, at - width, at + width]
 }
 
-/// Whether a pixel lies off the photo's edge.
+/// Whether a pixel is off the photo's edge.
 fn inner(i: usize, width: usize, height: usize) -> bool {
     let (x, y) = (i % width, i / width);
     x > 0 && y > 0 && x + 1 < width && y + 1 < height
@@ -167,7 +167,7 @@ mod tests {
 
     const SIDE: usize = 80;
 
-    /// Whether a pixel lies in a gap that narrows upward to 3 pixels.
+    /// Whether a pixel is in a gap that narrows upward to 3 pixels.
     fn gap(x: usize, y: usize) -> bool {
         y >= 10 && x.abs_diff(40) <= 1 + (y - 10) / 5
     }

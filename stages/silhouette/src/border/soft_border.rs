@@ -125,7 +125,7 @@ pub(crate) fn coverage(sides: &Image<bool>) -> Mask {
     smoothed(sides, &near_border(sides))
 }
 
-/// The same where it is known which pixels lie near the border: beyond, all nine are of one side.
+/// The same where it is known which pixels are near the border: beyond, all nine are of one side.
 fn smoothed(sides: &Image<bool>, near: &Image<bool>) -> Mask {
     let (w, h) = (sides.width, sides.height);
     let mut mask: Mask = sides.map(|body| if *body { 255 } else { 0 });

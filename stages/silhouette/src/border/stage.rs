@@ -34,7 +34,7 @@ stage::inputs! {
     pub struct BorderInput {
         /// The photos.
         photos: Arc<Photos>,
-        /// How they lie, with their cameras.
+        /// How they are, with their cameras.
         aligned: Arc<Aligned>,
         /// The scene without the body.
         scene: Arc<Scene>,

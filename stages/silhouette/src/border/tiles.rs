@@ -1,4 +1,4 @@
-//! Squares of coarse pixels in which the border lies.
+//! Squares of coarse pixels in which the border is.
 
 use crate::cut::least_cut::Window;
 use shape::Image;
@@ -29,7 +29,7 @@ impl Tile {
     }
 }
 
-/// The tiles of 16 pixels in which some of the band lies, row by row.
+/// The tiles of 16 pixels in which some of the band is, row by row.
 pub(crate) fn tiles(band: &Image<bool>) -> Vec<Tile> {
     const SIDE: usize = 16;
     let along = |most: usize| {

@@ -27,7 +27,7 @@ impl Block {
         self.origin + at * self.cell
     }
 
-    /// How many steps (six ways) each cell lies from the nearest that is so, `most` at most.
+    /// How many steps (six ways) each cell is from the nearest that is so, `most` at most.
     pub(crate) fn steps_to(&self, such: &[bool], most: u8) -> Vec<u8> {
         let [nx, ny, nz] = self.count;
         let rows = ny * nz;

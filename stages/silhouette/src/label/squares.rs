@@ -102,7 +102,7 @@ mod tests {
     fn squares_that_are_grown_are_those_that_are_painted_one_by_one() {
         let (width, height) = (41, 30);
         let mut dice = proof::Dice(6);
-        // Some lie beyond the image, one wholly; one covers it.
+        // Some are beyond the image, one wholly; one covers it.
         let mut wanted = vec![0; width * height];
         let mut squares = Squares::on(width, height);
         for k in 0..9000 {

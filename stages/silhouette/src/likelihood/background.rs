@@ -22,7 +22,7 @@ const SHADED_SHARE: f32 = 0.1;
 /// -ln p(pixel | background) of the pixels of a rectangle (left, top, width, height), row-major, up to
 /// a constant that noise changes (`Noise::thinner`).
 ///
-/// The pixel may match what is expected there, or lie part of the way (`SLACK`) towards the
+/// The pixel may match what is expected there, or are part of the way (`SLACK`) towards the
 /// darkest and brightest of its eight neighbours (edges move by a part of a pixel), as it is or
 /// with its light changed as far as the ground there allows. One pixel may match by chance: the
 /// means of a neighbourhood (`reach` pixels to each side) that it belongs to must match, too, in a light that
@@ -101,7 +101,7 @@ impl Likeness<'_> {
         within.map(|(i, _)| single[i].max(best[i])).collect()
     }
 
-    /// -ln p(pixel | background) by the pixel's own colour, on the ground that lies there.
+    /// -ln p(pixel | background) by the pixel's own colour, on the ground that is there.
     pub(crate) fn single(&self, x: usize, y: usize, on: Ground) -> f32 {
         let (lo, hi) = slack(self.expected, x, y);
         let shown = self.photo.at(x, y).map(f32::from);

@@ -1,4 +1,4 @@
-//! Background that nobody saw, out of what lies beside it.
+//! Background that nobody saw, out of what is beside it.
 //!
 //! Near the axis the body covers a pixel on nearly all photos. Where one of the few others shows a
 //! colour that the room has close by, it is the room's rather than the body's.

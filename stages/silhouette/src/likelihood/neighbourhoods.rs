@@ -1,4 +1,4 @@
-//! What lies around each pixel of a rectangle: means, and the least of all.
+//! What is around each pixel of a rectangle: means, and the least of all.
 
 use shape::Rgb;
 

@@ -18,7 +18,7 @@ pub(crate) const SHADED_LIGHT: f32 = 0.04;
 /// By how much less the mean of a neighbourhood is noisy than a pixel, at least. Set by hand, for all photos before it
 /// was measured.
 const ALIKE: f32 = 2.5;
-/// The quantile that is taken, and where it lies for the absolute value of a normal variable.
+/// The quantile that is taken, and where it is for the absolute value of a normal variable.
 const QUANTILE: (f32, f32) = (0.4, 0.5244);
 
 /// Standard deviations of photo and background against each other.
@@ -127,7 +127,7 @@ impl Spread {
     }
 }
 
-/// The middles of neighbourhoods that lie beside each other, every second pixel at most.
+/// The middles of neighbourhoods that are beside each other, every second pixel at most.
 fn places(image: &Rgb, reach: usize) -> impl Iterator<Item = (usize, usize)> {
     let step = (2 * reach + 1).max(2);
     let (width, height) = (image.width, image.height);
@@ -169,7 +169,7 @@ impl Counts {
         self.classes[((off * self.units) as usize).min(1023)] += 1;
     }
 
-    /// Standard deviation, by the quantile below which 0.4 of a normal distribution's lie. `None` for too few.
+    /// Standard deviation, by the quantile below which 0.4 of a normal distribution's are. `None` for too few.
     fn sigma(&self) -> Option<f32> {
         let total: u32 = self.classes.iter().sum();
         if total < 300 {
@@ -209,7 +209,7 @@ mod tests {
             let mut photo = noisy(120.0, sigma, &mut dice);
             photo.data[..6400].fill([30, 200, 90]);
             let noise = Noise::measure(&photo, &plate, &|_, _| Ground::Room, 1);
-            // A third of the differences are the subject's, so the quantile lies somewhat high.
+            // A third of the differences are the subject's, so the quantile is somewhat high.
             let times = f64::from(noise.room) / (sigma * f64::from(UNEVEN));
             assert!((1.0..1.8).contains(&times), "{noise:?}");
             // Nine pixels of three channels each.

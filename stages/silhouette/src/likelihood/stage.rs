@@ -27,7 +27,7 @@ stage::inputs! {
     pub struct LikelihoodInput {
         /// The photos.
         photos: Arc<Photos>,
-        /// How they lie, with their cameras.
+        /// How they are, with their cameras.
         aligned: Arc<Aligned>,
         /// The scene without the body.
         scene: Arc<Scene>,
@@ -85,7 +85,7 @@ impl Stage for Likelihood {
     }
 }
 
-/// A photo before the scene that lies behind it.
+/// A photo before the scene that is behind it.
 fn weighed(
     id: PhotoId,
     photo: &Photo,

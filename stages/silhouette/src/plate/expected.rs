@@ -71,8 +71,10 @@ pub(crate) fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64)
                 .map(|place| off(&there, place))
                 .sum::<f64>()
         };
-        let told = angles.clone().map(|angle| (few(angle), angle));
-        let first = told.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |t| t.1);
+        let reported = angles.clone().map(|angle| (few(angle), angle));
+        let first = reported
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map_or(0.0, |t| t.1);
         let limit = differ(first, f64::MAX);
         for angle in angles {
             let far = differ(angle, limit.min(best.1));

@@ -14,7 +14,7 @@ use shape::{Image, Rgb};
 const NEIGHBOUR_DEG: f64 = 45.0;
 /// How far around a patch is still its place, as a share of the photo's height.
 const SAME_PLACE_SHARE: f64 = 0.01;
-/// How far above and below the same part of a body may lie on another photo, as a share of the height.
+/// How far above and below the same part of a body may be on another photo, as a share of the height.
 const SAME_HEIGHT_SHARE: f64 = 0.04;
 /// A patch takes so large a share of the body's pixels at least.
 const MIN_PATCH_SHARE: f64 = 0.001;

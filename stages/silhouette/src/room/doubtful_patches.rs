@@ -59,7 +59,7 @@ impl Vouched {
         Some(Vouched { bare, body })
     }
 
-    /// Whether a pixel of a cut lies before a room that some photo shows.
+    /// Whether a pixel of a cut is before a room that some photo shows.
     pub(crate) fn before_room(&self, cut: &Image<bool>, i: usize) -> bool {
         cut.data[i] && self.bare.data[i]
     }
@@ -121,9 +121,9 @@ mod tests {
             })
         };
         let cuts = [cut(10, 50), cut(10, 50), cut(20, 38)];
-        let told = doubtful(&shots, &cuts, 0.0);
+        let reported = doubtful(&shots, &cuts, 0.0);
         // 8 × 30 of 40 × 80 pixels.
-        assert!((told[1] - 7.5).abs() < 0.2, "{told:?}");
-        assert!(told[0] == 0.0 && told[2] == 0.0, "{told:?}");
+        assert!((reported[1] - 7.5).abs() < 0.2, "{reported:?}");
+        assert!(reported[0] == 0.0 && reported[2] == 0.0, "{reported:?}");
     }
 }

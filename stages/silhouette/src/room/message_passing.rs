@@ -53,12 +53,12 @@ impl Field {
     pub(crate) fn least(&self) -> Vec<usize> {
         let count = self.width * self.height;
         // What the neighbour on each side says to a pixel.
-        let mut said: Vec<[Costs; 4]> = vec![[[0.0; CHOICES]; 4]; count];
+        let mut stated: Vec<[Costs; 4]> = vec![[[0.0; CHOICES]; 4]; count];
         for _ in 0..PASSES {
-            (0..count).for_each(|i| self.pass(&mut said, i, [2, 3]));
+            (0..count).for_each(|i| self.pass(&mut stated, i, [2, 3]));
             (0..count)
                 .rev()
-                .for_each(|i| self.pass(&mut said, i, [0, 1]));
+                .for_each(|i| self.pass(&mut stated, i, [0, 1]));
         }
         let mut choices = vec![0; count];
         for i in 0..count {
@@ -66,7 +66,7 @@ impl Field {
             let cost = |c: usize| {
                 let before =
                     [0, 1].map(|s| near[s].map_or(0.0, |j| self.pair(i, s, c, choices[j])));
-                self.single[i][c] + before[0] + before[1] + said[i][2][c] + said[i][3][c]
+                self.single[i][c] + before[0] + before[1] + stated[i][2][c] + stated[i][3][c]
             };
             let costs: Costs = from_fn(cost);
             choices[i] = (0..CHOICES)
@@ -77,26 +77,26 @@ impl Field {
     }
 
     /// A pixel speaks to its neighbours on two sides.
-    fn pass(&self, said: &mut [[Costs; 4]], i: usize, sides: [usize; 2]) {
+    fn pass(&self, stated: &mut [[Costs; 4]], i: usize, sides: [usize; 2]) {
         let near = self.near(i);
         let mut sum = self.single[i];
-        for told in &said[i] {
-            (0..CHOICES).for_each(|c| sum[c] += told[c]);
+        for reported in &stated[i] {
+            (0..CHOICES).for_each(|c| sum[c] += reported[c]);
         }
         let count = |sides: [usize; 2]| sides.iter().filter(|s| near[**s].is_some()).count();
         let share = 1.0 / count([0, 1]).max(count([2, 3])).max(1) as f32;
         for side in sides {
             let Some(j) = near[side] else { continue };
-            let back = said[i][side];
+            let back = stated[i][side];
             let own: Costs = from_fn(|c| share * sum[c] - back[c]);
-            let mut told: Costs = from_fn(|there| {
+            let mut reported: Costs = from_fn(|there| {
                 (0..CHOICES)
                     .map(|here| own[here] + self.pair(i, side, here, there))
                     .fold(f32::MAX, f32::min)
             });
-            let least = told.iter().copied().fold(f32::MAX, f32::min);
-            told.iter_mut().for_each(|t| *t -= least);
-            said[j][(side + 2) % 4] = told;
+            let least = reported.iter().copied().fold(f32::MAX, f32::min);
+            reported.iter_mut().for_each(|t| *t -= least);
+            stated[j][(side + 2) % 4] = reported;
         }
     }
 }

@@ -117,7 +117,7 @@ fn fixed(photos: &[Rgb]) -> Image<bool> {
     }
 }
 
-/// Which fixed pixels cannot be reached from the photo's border over fixed ones: they lie amid what changes.
+/// Which fixed pixels cannot be reached from the photo's border over fixed ones: they are amid what changes.
 fn enclosed(fixed: &Image<bool>) -> Image<bool> {
     let (w, h) = (fixed.width, fixed.height);
     // Gaps of three pixels in the ring of change around the body are closed.

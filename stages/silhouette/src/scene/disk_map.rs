@@ -49,9 +49,9 @@ pub(crate) fn lay_into(
             let place = |v: f64| (v / radius + 1.0) / 2.0 * side as f64 - 0.5;
             let at = Point2::new(place(hit.x), place(hit.y));
             let nearest = |v: f64| (v.round().max(0.0) as usize).min(side - 1);
-            let told = known.at(nearest(at.x), nearest(at.y));
-            *seen.at_mut(x, y) = told;
-            if let (true, Some(color)) = (told, sample(map, at)) {
+            let reported = known.at(nearest(at.x), nearest(at.y));
+            *seen.at_mut(x, y) = reported;
+            if let (true, Some(color)) = (reported, sample(map, at)) {
                 *image.at_mut(x, y) = color.map(|c| c.round().clamp(0.0, 255.0) as u8);
             }
         }

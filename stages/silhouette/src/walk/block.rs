@@ -167,7 +167,7 @@ impl Block {
     }
 }
 
-/// Without gaps of one pixel, which lie between the squares of cells.
+/// Without gaps of one pixel, which are between the squares of cells.
 fn filled(shown: Image<bool>) -> Image<bool> {
     let (w, h) = (shown.width, shown.height);
     let mut all = shown.clone();

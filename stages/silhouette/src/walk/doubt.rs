@@ -11,7 +11,7 @@ const NEAR: f32 = 12.0;
 const MIXED: f32 = 1.5;
 
 /// Share of the pixels near an outline that colours alone put on its side, both sides weighing alike.
-pub(crate) fn told(shot: &Shot, sides: &Image<bool>, colors: &Colors) -> f64 {
+pub(crate) fn reported(shot: &Shot, sides: &Image<bool>, colors: &Colors) -> f64 {
     let depth = signed_distance(&crate::walk::outline::as_mask(sides));
     let favour = colors.favours(&shot.small);
     let (mut right, mut count) = ([0usize; 2], [0usize; 2]);

@@ -54,13 +54,13 @@ pub(crate) fn find(
             misled: if late { 0.02 } else { 0.06 },
             behind: 0.5,
         };
-        let told: Vec<Image<f32>> = scene
+        let reported: Vec<Image<f32>> = scene
             .shots
             .par_iter()
             .zip(&colors)
-            .map(|(s, c)| c.favours(&s.small).map(|f| belief.told(*f)))
+            .map(|(s, c)| c.favours(&s.small).map(|f| belief.reported(*f)))
             .collect();
-        solid = cells(&block, scene, &told, search);
+        solid = cells(&block, scene, &reported, search);
         tick()?;
         let next = next_colors(&block, &solid, scene, search);
         let (Some(next), Some(around)) = (next, block.around(&solid, 4.0)) else {
@@ -93,7 +93,7 @@ const STANDS: f32 = 6.0;
 pub(crate) fn cells(
     block: &Block,
     scene: &Scene<'_>,
-    told: &[Image<f32>],
+    reported: &[Image<f32>],
     search: &Search,
 ) -> Vec<bool> {
     let shots = scene.shots;
@@ -104,7 +104,7 @@ pub(crate) fn cells(
         .enumerate()
         .map(|(i, seen)| *seen < least || scene.space.without(&block.centre(i)))
         .collect();
-    let mut evidence = evidence(block, shots, told, &closed);
+    let mut evidence = evidence(block, shots, reported, &closed);
     let free = free(block, scene.spots, shots);
     for (e, free) in evidence.iter_mut().zip(&free) {
         *e -= FREE.0 * f32::from((*free).min(FREE.1));
@@ -128,7 +128,7 @@ fn near(shot: &Shot, px: [f64; 2], to: &mut Samples) {
     }
 }
 
-/// Colours before anything is known: what lies near the axis is the subject's, what lies beyond the
+/// Colours before anything is known: what is near the axis is the subject's, what is beyond the
 /// space, or is seen past it, the room's.
 fn first_colors(scene: &Scene<'_>, search: &Search) -> Option<Vec<Colors>> {
     let (shots, space) = (scene.shots, &scene.space);

@@ -13,11 +13,11 @@ pub(crate) struct FloorCut {
     pub(crate) height: f64,
     /// The cells that stand clearly above it.
     above: Vec<bool>,
-    /// Cells of the layer amid which the plane lies, and what is beside them.
+    /// Cells of the layer amid which the plane is, and what is beside them.
     section: Vec<bool>,
 }
 
-/// So many layers above the plane are told by the section alone.
+/// So many layers above the plane are estimated by the section alone.
 const SECTION: f64 = 2.0;
 /// Strict cells lack a rim: the section is wider by so many.
 const BESIDE: usize = 2;
@@ -64,7 +64,7 @@ impl FloorCut {
         }
     }
 
-    /// Whether a pixel of the photo itself lies beyond where the subject ends; `standing` is what the
+    /// Whether a pixel of the photo itself is beyond where the subject ends; `standing` is what the
     /// reduced photo may show of it.
     pub(crate) fn ends<'a>(
         &'a self,

@@ -1,6 +1,6 @@
 //! Whether the masks of a walk are to be believed: told, or refused.
 
-use crate::walk::doubt::{alike, middle, over_border, told};
+use crate::walk::doubt::{alike, middle, over_border, reported};
 use crate::walk::features::Spot;
 use crate::walk::find::Subject;
 use crate::walk::floor_cut::FloorCut;
@@ -67,7 +67,7 @@ fn lacking(all: &Judged<'_>) -> f64 {
 
 /// What is measured of outlines; lists are by shot.
 struct Measured {
-    told: Vec<f64>,
+    reported: Vec<f64>,
     agree: Vec<f64>,
     over: Vec<bool>,
     lacking: f64,
@@ -94,9 +94,9 @@ fn measured(all: &Judged<'_>) -> Measured {
     };
     let every = 0..shots.len();
     Measured {
-        told: every
+        reported: every
             .clone()
-            .map(|k| told(&shots[k], &all.sides[k], &colors[k]))
+            .map(|k| reported(&shots[k], &all.sides[k], &colors[k]))
             .collect(),
         agree: every.clone().map(agree).collect(),
         over: every.map(|k| over_border(&kept(k)) > BORDER).collect(),
@@ -119,16 +119,20 @@ pub(crate) struct Judgement {
 pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>) -> Result<Judgement, WalkCutError> {
     let percent = |x: f64| 100.0 * x;
     let found = measured(all);
-    let [told, settled, agree] = [&found.told[..], all.settled, &found.agree[..]].map(middle);
+    let [reported, settled, agree] =
+        [&found.reported[..], all.settled, &found.agree[..]].map(middle);
     let metrics = [
-        ("told by colour", percent(told)),
+        ("told by colour", percent(reported)),
         ("settled", percent(settled)),
         ("agree", percent(agree)),
         ("features lacking", percent(found.lacking)),
     ];
     let asked = percent(p.least_agreement);
-    if told < p.least_told {
-        return Err(WalkCutError::Alike(percent(told), percent(p.least_told)));
+    if reported < p.least_told {
+        return Err(WalkCutError::Alike(
+            percent(reported),
+            percent(p.least_told),
+        ));
     }
     if settled < p.least_agreement {
         return Err(WalkCutError::Unsettled(percent(settled), asked));
@@ -172,9 +176,9 @@ fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize
         warnings.push(message!(BORDER_CUT, names = list));
     }
     let which = |is: &dyn Fn(usize) -> bool| -> Vec<usize> {
-        (0..found.told.len()).filter(|k| is(*k)).collect()
+        (0..found.reported.len()).filter(|k| is(*k)).collect()
     };
-    let alike = which(&|k| found.told[k] < p.least_told - NAMED);
+    let alike = which(&|k| found.reported[k] < p.least_told - NAMED);
     if !alike.is_empty() {
         let list = names(all, &alike);
         warnings.push(message!(SAME_COLOURS).of_what(list));

@@ -11,7 +11,7 @@ use shape::{Image, Mask, signed_distance};
 /// What holds an outline to the cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Hold {
-    /// The outline lies no further outside of the cells. \[cells\]
+    /// The outline is no further outside of the cells. \[cells\]
     pub(crate) outside: f32,
     /// Pixels deeper inside are the subject unless their colours speak against it. \[cells\]
     pub(crate) inside: f32,
@@ -19,7 +19,7 @@ pub(crate) struct Hold {
     pub(crate) firm: f32,
 }
 
-/// How deep inside of what the cells cover pixels lie. \[px\]
+/// How deep inside of what the cells cover pixels are. \[px\]
 pub(crate) fn depth(block: &Block, solid: &[bool], shot: &Shot) -> Image<f32> {
     let (w, h) = (shot.small.width, shot.small.height);
     let shown = block.shown(solid, &shot.camera, w, h);

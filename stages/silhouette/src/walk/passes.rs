@@ -62,15 +62,15 @@ pub(crate) fn agreed(
             let finer = (search.cells as f64 * FINER) as usize;
             subject.block = Block::between(lo, hi, finer);
         }
-        let told: Vec<Image<f32>> = sides
+        let reported: Vec<Image<f32>> = sides
             .par_iter()
             .zip(scene.shots)
             .map(|(sides, shot)| {
                 let px = cell_px(&subject.block, shot);
-                sureness(sides, px).map(|f| OUTLINES.told(*f))
+                sureness(sides, px).map(|f| OUTLINES.reported(*f))
             })
             .collect();
-        subject.solid = cells(&subject.block, scene, &told, search);
+        subject.solid = cells(&subject.block, scene, &reported, search);
         let Some(colors) = next_colors(&subject.block, &subject.solid, scene, search) else {
             return Ok(None);
         };

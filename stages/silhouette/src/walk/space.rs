@@ -23,13 +23,13 @@ pub(crate) struct Space {
     pub(crate) heights: [f64; 2],
     /// Height at which cameras look. \[mm\]
     pub(crate) middle: f64,
-    /// Height of the floor, where one is known: it lies below where cameras look. \[mm\]
+    /// Height of the floor, where one is known: it is below where cameras look. \[mm\]
     pub(crate) floor: Option<f64>,
 }
 
 /// Least share of the photos that see the space sideways, and up and down.
 const SEEN: [f64; 2] = [0.95, 0.3];
-/// A floor lies at least so much of the reach below where cameras look.
+/// A floor is at least so much of the reach below where cameras look.
 const BELOW: f64 = 0.05;
 /// What stands within so much of the reach is likely the subject's.
 const AMID: f64 = 0.5;
@@ -80,7 +80,7 @@ impl Space {
         x.coords.xy().norm() < AMID * self.reach && !self.low(x) && x.z < high
     }
 
-    /// Whether a point lies on the floor or hardly above it.
+    /// Whether a point is on the floor or hardly above it.
     pub(crate) fn low(&self, x: &Point3<f64>) -> bool {
         self.floor.is_some_and(|f| x.z < f + BELOW * self.reach)
     }

@@ -23,7 +23,7 @@ stage::inputs! {
         photos: Arc<Photos>,
         /// Their cameras, z up, the subject about the z axis.
         cameras: Arc<Cameras>,
-        /// Features followed over the photos: they tell what lies behind the subject.
+        /// Features followed over the photos: they tell what is behind the subject.
         tracks: Option<Arc<Tracks>>,
     }
 }

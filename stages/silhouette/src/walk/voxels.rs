@@ -18,7 +18,7 @@ pub(crate) struct Belief {
 impl Belief {
     /// ln p(pixel | cell is body) − ln p(pixel | cell is free), from what the pixel's colour says:
     /// a room seen there frees the cell, a subject seen there may stand before or behind it.
-    pub(crate) fn told(&self, favour: f32) -> f32 {
+    pub(crate) fn reported(&self, favour: f32) -> f32 {
         let r = libm::expf(favour.clamp(-12.0, 12.0));
         let body = (1.0 - self.misled) * r + self.misled;
         let free = self.behind * r + 1.0 - self.behind;
@@ -30,7 +30,7 @@ impl Belief {
 pub(crate) fn evidence(
     block: &Block,
     shots: &[Shot],
-    told: &[Image<f32>],
+    reported: &[Image<f32>],
     closed: &[bool],
 ) -> Vec<f32> {
     let one = |i: usize| {
@@ -39,14 +39,14 @@ pub(crate) fn evidence(
         }
         let x = block.centre(i);
         let (mut sum, mut seen) = (0.0, 0);
-        for (shot, told) in shots.iter().zip(told) {
+        for (shot, reported) in shots.iter().zip(reported) {
             let px = shot.camera.project(&x).filter(|px| shot.camera.holds(*px));
             if let Some(px) = px {
                 let (c, r) = (
                     px.x.round().max(0.0) as usize,
                     px.y.round().max(0.0) as usize,
                 );
-                sum += told.at(c.min(told.width - 1), r.min(told.height - 1));
+                sum += reported.at(c.min(reported.width - 1), r.min(reported.height - 1));
                 seen += 1;
             }
         }

@@ -80,14 +80,17 @@ fn a_rectangle_alone_is_enough_where_colours_differ() {
 #[test]
 fn without_a_rectangle_a_photo_alone_says_what_is_missing() {
     let (photo, _) = photo(&mut Dice(1));
-    let said = masked(&photo, vec![]).unwrap_err();
-    assert!(said.contains("plate") && said.contains("box_px"), "{said}");
+    let stated = masked(&photo, vec![]).unwrap_err();
+    assert!(
+        stated.contains("plate") && stated.contains("box_px"),
+        "{stated}"
+    );
 }
 
 #[test]
 fn a_rectangle_that_is_none_is_told() {
     let (photo, _) = photo(&mut Dice(1));
-    for (said, what) in [
+    for (stated, what) in [
         (vec![1.0, 2.0, 3.0], "has 3 numbers"),
         (
             vec![90.0, 10.0, 20.0, 200.0],
@@ -99,8 +102,8 @@ fn a_rectangle_that_is_none_is_told() {
         ),
         (vec![0.0, 0.0, 240.0, 320.0], "left over around it"),
     ] {
-        let told = masked(&photo, said.clone()).unwrap_err();
-        assert!(told.contains(what), "{said:?}: {told}");
+        let reported = masked(&photo, stated.clone()).unwrap_err();
+        assert!(reported.contains(what), "{stated:?}: {reported}");
     }
 }
 

@@ -74,8 +74,8 @@ fn either_polarity_gives_the_same_masks() {
     .unwrap();
     assert_eq!(white, black);
     assert_eq!(white.views.get(PhotoId(1)), Some(&mask(255, 0)));
-    let told = import(&[("0000.png", file(0, 255))], 1, Body::White).unwrap();
-    assert_eq!(told.views.get(PhotoId(0)), Some(&mask(0, 255)));
+    let reported = import(&[("0000.png", file(0, 255))], 1, Body::White).unwrap();
+    assert_eq!(reported.views.get(PhotoId(0)), Some(&mask(0, 255)));
 }
 
 #[test]

@@ -40,24 +40,24 @@ fn turn(dice: &mut proof::Dice) -> (Rgb, Vec<Rgb>, Vec<Image<bool>>) {
 #[test]
 fn the_wall_is_found_though_a_plain_body_covers_it_most_of_the_time() {
     let (wall, photos, bodies) = turn(&mut proof::Dice(2));
-    let told = recurring(&photos, None, 1.0);
+    let reported = recurring(&photos, None, 1.0);
     let off = |x: usize| {
-        let (got, want) = (told.backdrop.image.at(x, 20), wall.at(x, 20));
+        let (got, want) = (reported.backdrop.image.at(x, 20), wall.at(x, 20));
         (0..3).map(|c| got[c].abs_diff(want[c])).max().unwrap()
     };
     // The body leaves these columns free on four photos of twelve.
     for x in [23, 40] {
         assert!(
-            told.backdrop.seen.at(x, 20) && off(x) <= 2,
+            reported.backdrop.seen.at(x, 20) && off(x) <= 2,
             "{x}: {}",
             off(x)
         );
     }
     // Never free: nobody saw the wall there, and what there is is not called so.
-    assert!((31..33).all(|x| !told.backdrop.seen.at(x, 20)));
+    assert!((31..33).all(|x| !reported.backdrop.seen.at(x, 20)));
     let wrong = |k: usize| {
         (0..2400)
-            .filter(|i| told.agrees[k].data[*i] && bodies[k].data[*i])
+            .filter(|i| reported.agrees[k].data[*i] && bodies[k].data[*i])
             .count()
     };
     assert!((0..12).map(wrong).sum::<usize>() < 12 * 14 * 24 / 20);
@@ -77,11 +77,11 @@ fn hidden_photos_are_not_asked() {
         recurring(&photos, None, 1.0).backdrop.image.at(5, 20),
         [9, 90, 9]
     );
-    let told = recurring(&photos, Some(&hidden), 1.0)
+    let reported = recurring(&photos, Some(&hidden), 1.0)
         .backdrop
         .image
         .at(5, 20);
-    assert!((0..3).all(|c| told[c].abs_diff(wall.at(5, 20)[c]) <= 2));
+    assert!((0..3).all(|c| reported[c].abs_diff(wall.at(5, 20)[c]) <= 2));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 pub(crate) struct Fault {
     /// Light of each channel against the photo as it came.
     pub(crate) gains: [f32; 3],
-    /// How far the picture lies right of and below where it was. \[px\]
+    /// How far the picture is right of and below where it was. \[px\]
     pub(crate) shift: [f32; 2],
     /// Standard deviation of the blur. \[px\]
     pub(crate) blur: f32,

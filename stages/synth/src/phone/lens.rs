@@ -152,7 +152,7 @@ mod tests {
         let (_, soft) = moments(&blurred(&image, 1.3), 1);
         proof::near(soft[0], 9.0 + 1.69, 0.02);
         let (_, drawn) = moments(&shaken(&image, [6.0, 0.0]), 1);
-        // Of twelve places along the line, whose ends lie half a place within.
+        // Of twelve places along the line, whose ends are half a place within.
         proof::near(drawn[0] - 9.0, 36.0 / 12.0 * (1.0 - 1.0 / 144.0), 0.02);
         proof::near(drawn[1], 9.0, 0.02);
     }

@@ -35,7 +35,7 @@ stage::params! {
         #[range(0.0..=100.0)]
         #[source(structural)]
         shake_px: f64 = 4.0,
-        /// How far red lies outside of green at the corners, and blue inside.
+        /// How far red is outside of green at the corners, and blue inside.
         #[range(0.0..=20.0)]
         #[source(structural)]
         lateral_px: f64 = 0.0,

@@ -10,12 +10,17 @@ use std::sync::Arc;
 use synth::{FormulaGirths, FormulaInput, MakeSolid, SolidInput, contour, length, surface, taut};
 
 fn solid(figure: &str, values: &[(&str, f64)]) -> Solid {
-    let mut said: BTreeMap<String, Value> = values
+    let mut stated: BTreeMap<String, Value> = values
         .iter()
         .map(|(k, v)| ((*k).to_owned(), Value::Float(*v)))
         .collect();
-    said.insert("figure".into(), Value::Text(figure.into()));
-    MakeSolid::run(&Params::read(&said).unwrap(), SolidInput {}, &Ctx::alone()).unwrap()
+    stated.insert("figure".into(), Value::Text(figure.into()));
+    MakeSolid::run(
+        &Params::read(&stated).unwrap(),
+        SolidInput {},
+        &Ctx::alone(),
+    )
+    .unwrap()
 }
 
 fn planes(solid: &Solid) -> Vec<(String, Plane)> {

@@ -38,12 +38,12 @@ fn taken(values: &[(&str, f64)]) -> Photos {
         "shaken" | "jpeg_quality" | "seed" => Value::Int(v as i64),
         _ => Value::Float(v),
     };
-    let said: BTreeMap<String, Value> = values
+    let stated: BTreeMap<String, Value> = values
         .iter()
         .map(|(k, v)| ((*k).to_owned(), value(k, *v)))
         .collect();
     let input = PhoneInput { photos: turn() };
-    Phone::run(&Params::read(&said).unwrap(), input, &Ctx::alone()).unwrap()
+    Phone::run(&Params::read(&stated).unwrap(), input, &Ctx::alone()).unwrap()
 }
 
 /// Light of a channel in the middle of a photo, in proportion to that of level 150.

@@ -11,7 +11,7 @@ use synth::{
 };
 
 /// Params with some values said.
-fn said<P: Params>(values: &[(&str, Value)]) -> P {
+fn stated<P: Params>(values: &[(&str, Value)]) -> P {
     let map: BTreeMap<_, _> = values
         .iter()
         .map(|(k, v)| ((*k).to_owned(), v.clone()))
@@ -24,7 +24,7 @@ fn text(word: &str) -> Value {
 }
 
 fn solid(values: &[(&str, Value)]) -> Solid {
-    MakeSolid::run(&said(values), SolidInput {}, &Ctx::alone()).unwrap()
+    MakeSolid::run(&stated(values), SolidInput {}, &Ctx::alone()).unwrap()
 }
 
 fn mesh(solid: &Solid, cell_mm: f64) -> Mesh {
@@ -44,7 +44,7 @@ fn ring(views: i64, k1: f64) -> Cameras {
         ("disk_mm", Value::Float(150.0)),
         ("k1", Value::Float(k1)),
     ];
-    MakeRing::run(&said(&values), RingInput {}, &Ctx::alone()).unwrap()
+    MakeRing::run(&stated(&values), RingInput {}, &Ctx::alone()).unwrap()
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn a_subject_sways_about_its_ankles_and_never_farther_than_said() {
         let input = SwayInput {
             cameras: cameras.clone(),
         };
-        let sway = MakeSway::run(&said(&values), input, &Ctx::alone()).unwrap();
+        let sway = MakeSway::run(&stated(&values), input, &Ctx::alone()).unwrap();
         let way = |p: &Point3<f64>| {
             let all = sway.views.values().map(|m| (m.apply(p) - p.coords).norm());
             all.fold(0.0, f64::max)
@@ -191,7 +191,7 @@ fn photos_are_the_same_bytes_with_any_number_of_threads() {
                 cameras: Arc::new(ring(3, 0.0)),
                 sway: None,
             };
-            let photos = TakePhotos::run(&said(&[]), input, &Ctx::alone()).unwrap();
+            let photos = TakePhotos::run(&stated(&[]), input, &Ctx::alone()).unwrap();
             stage::to_bytes(&photos)
         })
     };
@@ -217,7 +217,7 @@ fn photos_show_the_body_where_the_masks_say_and_the_room_elsewhere() {
         cameras: cameras.clone(),
         sway: None,
     };
-    let photos = TakePhotos::run(&said(&look), input, &Ctx::alone()).unwrap();
+    let photos = TakePhotos::run(&stated(&look), input, &Ctx::alone()).unwrap();
     let input = MaskInput {
         mesh,
         cameras,
@@ -227,15 +227,18 @@ fn photos_show_the_body_where_the_masks_say_and_the_room_elsewhere() {
     let mask = masks.views.get(PhotoId(0)).unwrap();
     let photo = photos.photos[0].decode().unwrap();
     let plate = photos.plate.as_ref().unwrap().decode().unwrap();
-    let (mut body, mut told) = (0, 0);
+    let (mut body, mut reported) = (0, 0);
     for ((p, q), m) in photo.data.iter().zip(&plate.data).zip(&mask.data) {
         match m {
             0 => assert_eq!(p, q),
-            255 => (body, told) = (body + 1, told + usize::from(p != q)),
+            255 => (body, reported) = (body + 1, reported + usize::from(p != q)),
             _ => {}
         }
     }
-    assert!(body > 500 && told * 100 > body * 98, "{told} of {body}");
+    assert!(
+        body > 500 && reported * 100 > body * 98,
+        "{reported} of {body}"
+    );
 }
 
 #[test]
@@ -260,7 +263,7 @@ fn a_surface_with_colours_wears_them() {
             cameras: cameras.clone(),
             sway: None,
         };
-        let photos = TakePhotos::run(&said(&look), input, &Ctx::alone()).unwrap();
+        let photos = TakePhotos::run(&stated(&look), input, &Ctx::alone()).unwrap();
         photos.photos[0].decode().unwrap()
     };
     let mesh = Arc::new(mesh);

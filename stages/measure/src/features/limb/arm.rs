@@ -1,5 +1,5 @@
 //! What a surface shows of an arm along its line: wrist, bend, girths, armpit, shoulder; where its joints
-//! are is told from this by the model's laws.
+//! are is estimated from this by the model's laws.
 
 use crate::features::body::Body;
 use crate::features::limb::arm_seen::ArmSeen;
@@ -17,7 +17,7 @@ const HAND: f64 = 0.09;
 /// A wrist is where the hand stops narrowing: over the next so much of stature the girth falls by no more
 /// than that share. Fat forearms narrow again farther up.
 const STEADY: (f64, f64) = (0.0155, 0.02);
-/// Elbows lie so far above the wrist, as shares of stature: 0.115 to 0.169 in 99 of 100 made bodies of all
+/// Elbows are so far above the wrist, as shares of stature: 0.115 to 0.169 in 99 of 100 made bodies of all
 /// ages. A bend is looked for there and a little farther.
 const ELBOW: Range<f64> = 0.07..0.20;
 /// A straight upper arm's line is drawn from here on above the wrist, as a share of stature: above the
@@ -27,7 +27,7 @@ const UPPER: f64 = 0.17;
 const ROUND: f64 = 0.03;
 /// Arms that hang less steeply run out at neck and head, not at the shoulder. \[sine\]
 const HANGS: f64 = 0.6;
-/// Where the line leaves the surface above the armpit that shows, as shares of stature: what lies outside
+/// Where the line leaves the surface above the armpit that shows, as shares of stature: what is outside
 /// is neck, or not the shoulder.
 const SHOULDER: Range<f64> = 0.015..0.16;
 /// A bend of so much is told. \[rad\]

@@ -133,9 +133,9 @@ pub(crate) struct Constraint {
 }
 
 /// Two places and their covariance (xx, xy, yy) from statements, by least squares.
-pub(crate) fn places(told: &[Constraint]) -> Option<([f64; 2], [f64; 3])> {
+pub(crate) fn places(reported: &[Constraint]) -> Option<([f64; 2], [f64; 3])> {
     let (mut n, mut r) = ([0.0f64; 3], [0.0f64; 2]);
-    for t in told {
+    for t in reported {
         let w = t.sigma.powi(-2);
         n[0] += w * t.a * t.a;
         n[1] += w * t.a * t.b;
@@ -200,11 +200,12 @@ mod tests {
 
     #[test]
     fn places_weigh_what_is_told_of_them() {
-        let told = |a, b, c, sigma| Constraint { a, b, c, sigma };
-        let ([x, y], cov) = places(&[told(1.0, 0.0, 3.0, 1.0), told(-1.0, 1.0, 4.0, 2.0)]).unwrap();
+        let reported = |a, b, c, sigma| Constraint { a, b, c, sigma };
+        let ([x, y], cov) =
+            places(&[reported(1.0, 0.0, 3.0, 1.0), reported(-1.0, 1.0, 4.0, 2.0)]).unwrap();
         proof::near(x, 3.0, 1e-9);
         proof::near(y, 7.0, 1e-9);
         proof::near(cov[2], 5.0, 1e-9);
-        assert!(places(&[told(1.0, 1.0, 3.0, 1.0)]).is_none());
+        assert!(places(&[reported(1.0, 1.0, 3.0, 1.0)]).is_none());
     }
 }

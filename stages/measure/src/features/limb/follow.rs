@@ -23,7 +23,7 @@ pub struct Knot {
 }
 
 /// Lengths of a limb's search, as shares of stature: step along the line, what a limb may reach about
-/// it, how far a ring's middle may lie from where it is looked for.
+/// it, how far a ring's middle may be from where it is looked for.
 const STEP: f64 = 0.005;
 const WITHIN: f64 = 0.13;
 const OFF: f64 = 0.03;

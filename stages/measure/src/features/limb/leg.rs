@@ -21,13 +21,13 @@ const BEND: f64 = 0.005;
 /// An ankle is at most so high, as a share of stature: what is higher stands on its toes, or in boots,
 /// and its height tells nothing of the knee's.
 const ANKLE: f64 = 0.09;
-/// How far the ankle's joint lies under its narrowest, as a share of stature: malleolus and girth of the
+/// How far the ankle's joint is under its narrowest, as a share of stature: malleolus and girth of the
 /// ankle.
 const UNDER: f64 = 0.025;
 /// Where a leg's line ends lower than this share of stature, more than the thigh is hidden.
 const ONE: f64 = 0.40;
 
-/// What the joints of a leg are told from; `ground` is the height of the soles. \[mm\]
+/// What the joints of a leg are estimated from; `ground` is the height of the soles. \[mm\]
 pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
     let knots = &limb.knots;
     // From the toes on: the instep's sections are long, the ankle's the shortest after them.
@@ -39,7 +39,7 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
     let shank = &knots[ankle..];
     let end = knots.last()?.s;
     let bend = bend(shank, 0.08 * stature, 0.03 * stature).filter(|b| b.angle > BENT);
-    let mut told = vec![
+    let mut reported = vec![
         match stands {
             // x = sole + r (y - sole)
             true => Constraint {
@@ -63,7 +63,7 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
         },
     ];
     if end - sole > ONE * stature {
-        told.push(Constraint {
+        reported.push(Constraint {
             a: 0.0,
             b: 1.0,
             c: end,
@@ -71,14 +71,14 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
         });
     }
     if let Some(bend) = &bend {
-        told.push(Constraint {
+        reported.push(Constraint {
             a: 1.0,
             b: 0.0,
             c: bend.s,
             sigma: BEND * stature / libm::sin(bend.angle).clamp(0.25, 1.0),
         });
     }
-    let ([knee, crotch], cov) = places(&told)?;
+    let ([knee, crotch], cov) = places(&reported)?;
     let above = knee + 0.04 * stature;
     let thigh = line(knots.iter().filter(|k| k.s > above));
     limb.bent = bend.map_or(0.0, |b| b.angle);

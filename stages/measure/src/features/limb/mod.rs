@@ -148,11 +148,11 @@ fn one(
         seen: None,
         mid_upper_arm: None,
     };
-    let told = match kind {
+    let reported = match kind {
         Kind::Arm => arm::seen(&found.cuts, &mut limb, body),
         Kind::Leg => leg::joints(&mut limb, body.ground, body.stature),
     };
-    told.ok_or(Refusal::NoLimb)?;
+    reported.ok_or(Refusal::NoLimb)?;
     let [left, right] = match kind {
         Kind::Arm => [Part::ArmLeft, Part::ArmRight],
         Kind::Leg => [Part::LegLeft, Part::LegRight],

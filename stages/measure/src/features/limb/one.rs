@@ -64,7 +64,7 @@ pub struct Limb {
     pub crotch: f64,
     /// The straight line of upper arm or thigh.
     pub root_line: Option<Line>,
-    /// Of an arm: what its joints are told from.
+    /// Of an arm: what its joints are estimated from.
     pub seen: Option<ArmSeen>,
     /// Of an arm: where the tip of the elbow and the acromion are as far away.
     pub mid_upper_arm: Option<Joint>,

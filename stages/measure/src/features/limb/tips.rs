@@ -28,7 +28,7 @@ pub(crate) fn tips(graph: &Graph, way: &[f64], least: f64) -> Vec<Tip> {
         let (x, y) = (way[*a as usize], way[*b as usize]);
         y.total_cmp(&x).then(a.cmp(b))
     });
-    // The land of each node, named by its peak; NONE for what lies lower still.
+    // The land of each node, named by its peak; NONE for what is lower still.
     const NONE: u32 = u32::MAX;
     let mut land = vec![NONE; way.len()];
     let mut up: Vec<u32> = (0..way.len() as u32).collect();
@@ -84,7 +84,7 @@ fn find(up: &mut [u32], mut n: u32) -> u32 {
     n
 }
 
-/// Which nodes belong to an extremity: all about it that lie beyond its meeting.
+/// Which nodes belong to an extremity: all about it that are beyond its meeting.
 pub(crate) fn land(graph: &Graph, way: &[f64], tip: &Tip) -> Vec<bool> {
     let mut inside = vec![false; way.len()];
     let mut open = vec![tip.node];

@@ -67,7 +67,7 @@ fn turn(photos: usize) -> (Vec<(PhotoId, Mask)>, Cameras) {
     (masks, cameras)
 }
 
-/// Whether a pixel of the first photo lies in a square amid the trunk.
+/// Whether a pixel of the first photo is in a square amid the trunk.
 fn amid(i: usize) -> bool {
     (110..126).contains(&(i % SIZE.0)) && (90..106).contains(&(i / SIZE.0))
 }

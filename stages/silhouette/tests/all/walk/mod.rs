@@ -23,7 +23,7 @@ impl Host for Listening {
 struct Came {
     masks: Result<Masks, String>,
     truth: Vec<Mask>,
-    said: Vec<String>,
+    stated: Vec<String>,
 }
 
 fn cut(made: Made, p: &WalkParams) -> Came {
@@ -47,7 +47,7 @@ fn cut(made: Made, p: &WalkParams) -> Came {
     Came {
         masks,
         truth,
-        said: host.0.into_inner().unwrap(),
+        stated: host.0.into_inner().unwrap(),
     }
 }
 
@@ -88,8 +88,12 @@ fn a_figure_in_a_room_is_cut_out_of_a_walk_around_it() {
     let masks = came.masks.unwrap();
     let (mean, least) = against(&masks, &came.truth);
     assert_eq!(masks.views.len(), 12);
-    assert!(mean > 0.93 && least > 0.9, "{mean} {least} {:?}", came.said);
-    assert_eq!(came.said, Vec::<String>::new());
+    assert!(
+        mean > 0.93 && least > 0.9,
+        "{mean} {least} {:?}",
+        came.stated
+    );
+    assert_eq!(came.stated, Vec::<String>::new());
 }
 
 #[test]
@@ -104,8 +108,8 @@ fn where_skin_has_the_floor_s_colour_what_is_lacking_is_told() {
     );
     let (mean, _) = against(&came.masks.unwrap(), &came.truth);
     assert!(mean > 0.8, "{mean}");
-    let told = |said: &String| said.contains("features amid the cameras are in no outline");
-    assert!(came.said.iter().any(told), "{:?}", came.said);
+    let reported = |stated: &String| stated.contains("features amid the cameras are in no outline");
+    assert!(came.stated.iter().any(reported), "{:?}", came.stated);
 }
 
 #[test]
@@ -177,7 +181,7 @@ fn what_would_be_a_guess_is_refused() {
         let came = cut(made, &small());
         let why = came.masks.map(|m| against(&m, &came.truth));
         let refused = why.as_ref().is_err_and(|why| why.contains(says));
-        assert!(refused, "{says}: {why:?} {:?}", came.said);
+        assert!(refused, "{says}: {why:?} {:?}", came.stated);
     }
 }
 
@@ -189,13 +193,13 @@ fn a_figure_that_photos_cut_off_is_told() {
         ..Made::default()
     };
     let came = cut(made, &small());
-    let told = |says: &str| came.said.iter().any(|said| said.contains(says));
+    let reported = |says: &str| came.stated.iter().any(|stated| stated.contains(says));
     assert!(
-        came.masks.is_ok() && told("over the border of 0000.png"),
+        came.masks.is_ok() && reported("over the border of 0000.png"),
         "{:?}",
-        came.said
+        came.stated
     );
-    assert!(told("begin to cut it off"), "{:?}", came.said);
+    assert!(reported("begin to cut it off"), "{:?}", came.stated);
 }
 
 #[test]
@@ -207,7 +211,7 @@ fn a_figure_far_aside_is_refused_or_told() {
         },
         &small(),
     );
-    let told = !came.said.is_empty();
+    let reported = !came.stated.is_empty();
     let share = came.masks.map(|m| against(&m, &came.truth));
-    assert!(share.is_err() || told, "{share:?}");
+    assert!(share.is_err() || reported, "{share:?}");
 }

@@ -6,7 +6,7 @@ use super::text::count;
 use engine::recipe::Overrides;
 use engine::sweep::{End, Row};
 
-/// Commands that give what lies behind a point: its results into a folder, one of them as a file, what it hangs on.
+/// Commands that give what is behind a point: its results into a folder, one of them as a file, what it hangs on.
 pub(super) fn how(row: &Row, args: &SweepArgs, global: &GlobalArgs) -> Vec<String> {
     let quoted = |word: &str| match word.contains([' ', '"', '\'', '[', '$', '(']) {
         true => format!("'{}'", word.replace('\'', "'\\''")),
@@ -49,14 +49,14 @@ pub(super) fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
     let done: Vec<&Row> = rows.iter().filter(|r| r.end == End::Done).collect();
     for name in asked.tell.iter().filter(|_| !done.is_empty()) {
         let has = |row: &&Row| row.metrics.iter().any(|(n, m)| n == name && m.is_some());
-        let told = done.iter().filter(|row| has(row)).count();
-        if told > 0 && told < done.len() {
+        let reported = done.iter().filter(|row| has(row)).count();
+        if reported > 0 && reported < done.len() {
             lines.push(format!(
-                "`{name}` was measured at {told} of {}: the rest refused it or have no such node (see their warnings), so means and plots are of these alone",
+                "`{name}` was measured at {reported} of {}: the rest refused it or have no such node (see their warnings), so means and plots are of these alone",
                 count(done.len(), "point")
             ));
         }
-        if told == 0 {
+        if reported == 0 {
             let known: Vec<&str> = done[0].known.iter().map(String::as_str).collect();
             lines.push(format!(
                 "`{name}` was not measured at any point (see the warnings); available: {}",

@@ -71,7 +71,7 @@ impl SearchArgs {
 const SHOWN: usize = 10;
 
 /// Prints and writes what was found.
-pub(super) fn told(
+pub(super) fn reported(
     args: &SearchArgs,
     global: &GlobalArgs,
     declared: &Search,

@@ -19,7 +19,7 @@ pub(super) fn remains(out: &str) -> String {
 /// # Errors
 ///
 /// Something that may have come of the folder could not be read, whether it stays or went.
-pub(super) fn told(
+pub(super) fn reported(
     f: &Forgotten,
     stay: &[String],
     gone: &[(PathBuf, Withdrawn)],

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 /// A point's numbers.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Told {
+pub struct Reported {
     /// The variant, if there is one.
     pub variant: Option<String>,
     /// What varies, without variant and seeds: `node.param` and the value.
@@ -21,15 +21,15 @@ pub struct Told {
     pub within: Vec<(String, [f64; 2])>,
 }
 
-impl Told {
+impl Reported {
     /// Of a row.
-    pub fn of(row: &Row) -> Told {
+    pub fn of(row: &Row) -> Reported {
         let metric = |(name, metric): &(String, Option<stage::Metric>)| {
             let unit = metric.as_ref().map_or(String::new(), |m| m.unit.clone());
             (name.clone(), unit, metric.as_ref().map(|m| m.value))
         };
         let own = params(row).into_iter();
-        Told {
+        Reported {
             variant: row.point.variant.clone(),
             params: own.filter(|(name, _)| name.contains('.')).collect(),
             replicate: row.point.replicate,
@@ -40,7 +40,7 @@ impl Told {
     }
 
     /// Of the points of a `sweep.json`; `None` where it is none.
-    pub fn read(sweep: &Value) -> Option<Vec<Told>> {
+    pub fn read(sweep: &Value) -> Option<Vec<Reported>> {
         let point = |point: &Value| {
             let text = |v: &Value| v.as_str().map(str::to_owned);
             let params = point["params"].as_object()?.iter();
@@ -50,7 +50,7 @@ impl Told {
                 Some((text(&m["name"])?, unit, m["value"].as_f64()))
             };
             let metrics = point["metrics"].as_array()?.iter().map(metric);
-            Some(Told {
+            Some(Reported {
                 variant: text(&point["variant"]),
                 params: params
                     .map(|(k, v)| Some((k.clone(), text(v)?)))
@@ -72,7 +72,7 @@ impl Told {
 }
 
 /// The metrics of some points: name and unit, in the order of the table.
-pub(super) fn metrics<'a>(all: impl Iterator<Item = &'a Told>) -> Vec<(String, String)> {
+pub(super) fn metrics<'a>(all: impl Iterator<Item = &'a Reported>) -> Vec<(String, String)> {
     let mut known: Vec<(String, String)> = Vec::new();
     for (name, unit, _) in all.flat_map(|t| &t.metrics) {
         match known.iter_mut().find(|(n, _)| n == name) {

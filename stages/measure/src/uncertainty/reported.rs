@@ -65,7 +65,7 @@ impl Sure<'_> {
             scale_mm: self.scale(tape),
             ..girth.sigmas
         };
-        let interval_mm = told(tape, tape, &sigmas, self.widest)?;
+        let interval_mm = reported(tape, tape, &sigmas, self.widest)?;
         Ok(Girth {
             sigmas,
             interval_mm,
@@ -112,7 +112,7 @@ impl Sure<'_> {
                 false => seen.open_mm,
             },
         };
-        let interval_mm = told(tape_mm, mean, &sigmas, self.widest)?;
+        let interval_mm = reported(tape_mm, mean, &sigmas, self.widest)?;
         let again = level
             .again
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
@@ -152,7 +152,12 @@ fn round(tape: f64, surface: f64, outline: Option<(f64, f64)>, seen: &Seen) -> (
 
 /// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
 /// is what mesh and outlines tell together. \[mm\]
-fn told(tape: f64, mean: f64, sigmas: &Sigmas, widest: f64) -> Result<Option<[f64; 2]>, Refusal> {
+fn reported(
+    tape: f64,
+    mean: f64,
+    sigmas: &Sigmas,
+    widest: f64,
+) -> Result<Option<[f64; 2]>, Refusal> {
     if !sigmas.unknown().is_empty() {
         return Ok(None);
     }
@@ -218,18 +223,24 @@ mod tests {
             scale_mm: None,
             ..Sigmas::EXACT
         };
-        assert_eq!(told(900.0, 900.0, &known, 0.25), Ok(Some([900.0, 900.0])));
+        assert_eq!(
+            reported(900.0, 900.0, &known, 0.25),
+            Ok(Some([900.0, 900.0]))
+        );
         let level = Sigmas {
             level_mm: None,
             ..Sigmas::EXACT
         };
-        assert_eq!(told(900.0, 900.0, &level, 0.25), Ok(None));
+        assert_eq!(reported(900.0, 900.0, &level, 0.25), Ok(None));
         let wide = Sigmas {
             level_mm: Some(150.0),
             ..Sigmas::EXACT
         };
-        assert_eq!(told(900.0, 900.0, &wide, 0.25), Err(Refusal::TooUncertain));
-        let [low, high] = told(
+        assert_eq!(
+            reported(900.0, 900.0, &wide, 0.25),
+            Err(Refusal::TooUncertain)
+        );
+        let [low, high] = reported(
             900.0,
             900.0,
             &Sigmas {

@@ -25,19 +25,25 @@ pub(super) fn place(key: &str) -> String {
 
 /// A flag as it was said, and the change of the pipeline that it is.
 #[derive(Clone)]
-pub(super) struct Said {
+pub(super) struct Stated {
     pub(super) flag: String,
     pub(super) set: String,
 }
 
 /// All that was said.
-pub(super) struct All(pub(super) Vec<Said>);
+pub(super) struct All(pub(super) Vec<Stated>);
 
 impl All {
     /// A flag with what was said, and the key of capture.toml that it is.
-    pub(super) fn put(&mut self, flag: &str, said: &impl ToString, key: &str, value: toml::Value) {
-        self.0.push(Said {
-            flag: format!("{flag} {}", said.to_string()),
+    pub(super) fn put(
+        &mut self,
+        flag: &str,
+        stated: &impl ToString,
+        key: &str,
+        value: toml::Value,
+    ) {
+        self.0.push(Stated {
+            flag: format!("{flag} {}", stated.to_string()),
             set: format!("{}={value}", place(key)),
         });
     }
@@ -49,10 +55,10 @@ pub(super) fn opened(
     name: &str,
     over: Option<&str>,
     variant: Option<String>,
-    said: &[Said],
+    stated: &[Stated],
     sets: &[String],
 ) -> Result<Graph, Fault> {
-    let facts = said.iter().map(|s| s.set.clone());
+    let facts = stated.iter().map(|s| s.set.clone());
     let overrides = Overrides {
         variant,
         sets: facts.chain(sets.iter().cloned()).collect(),
@@ -63,7 +69,7 @@ pub(super) fn opened(
     };
     let graph = pipeline.and_then(|p| p.graph(&overrides));
     graph.map_err(|mistakes| {
-        let as_said = |text: String, s: &Said| text.replace(&format!("--set {}", s.set), &s.flag);
-        Fault::input(said.iter().fold(mistakes.to_string(), as_said))
+        let as_said = |text: String, s: &Stated| text.replace(&format!("--set {}", s.set), &s.flag);
+        Fault::input(stated.iter().fold(mistakes.to_string(), as_said))
     })
 }
