@@ -100,7 +100,7 @@ pub fn causes(
 
 /// As [`causes`], against a run of another machine: the lines of its nodes, as a `run.json` has them. Nodes that are alike
 /// there and here are left out, but for the node that is asked after; one that does not run here yet, for what it reads is not
-/// known, is estimated by its stage and params.
+/// known, is named by its stage and params.
 pub fn against(
     graph: &Graph,
     plan: &[Option<Planned>],

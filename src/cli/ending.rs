@@ -7,7 +7,7 @@ use command::Ran;
 use shape::{Cameras, Girths, Photos};
 use std::path::Path;
 
-/// A run is estimated by its nodes, whose names are English.
+/// A run is reported by its nodes, whose names are English.
 const ENGLISH: Words = Words {
     language: Language::En,
     inches: false,

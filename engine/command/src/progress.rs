@@ -107,7 +107,7 @@ fn duration(seconds: f64) -> String {
 }
 
 impl Progress {
-    /// For a walk of so many nodes, estimated by node or by steps.
+    /// For a walk of so many nodes, printed by node or by steps.
     pub(crate) fn new(quiet: bool, of: usize, steps: Option<Steps>) -> Self {
         let state = State {
             of,

@@ -164,7 +164,7 @@ impl Kept {
         };
         let mut line = serde_json::to_string(&task.words[1..]).expect("bug: JSON");
         line.push('\n');
-        // Who has ended is estimated by how he ended.
+        // Who has ended is known by how it ended.
         let _ = at_work.words.send(line);
         let answer = at_work.heard(&limits, &mut |line| {
             let answer = answer(line);

@@ -6,7 +6,7 @@
 //!
 //! | step | reads | makes | what it is |
 //! |---|---|---|---|
-//! | [`Align`] (`align/`) | photos, cameras | `aligned` | how each photo is on the plate or on the others, and its levels at one exposure |
+//! | [`Align`] (`align/`) | photos, cameras | `aligned` | how each photo is aligned with the plate or the others, and its levels at one exposure |
 //! | [`Plate`] (`plate/`) | photos, aligned | `scene` | the empty scene by a photo of it; without one *unknown* |
 //! | [`Room`] (`room/`) | photos, aligned, scene, people | `scene` | the empty scene out of all photos, where it is unknown; with it the bodies on which photos agree |
 //! | [`Likelihood`] (`likelihood/`) | photos, aligned, scene, people | `evidence` | what each reduced pixel costs as background, and what is certain |

@@ -1,4 +1,4 @@
-//! How one turntable frame is in another: both have z along the axis, x may be anywhere.
+//! Where one turntable frame is in another: both have z along the axis, x may be anywhere.
 
 use nalgebra::{Rotation3, Vector3};
 use shape::Cameras;

@@ -1,6 +1,6 @@
 //! Buckets and shared folders by the crate `object_store`: `s3://`, `gs://`, `az://`, `file://`.
 //!
-//! Who may read and write is estimated by the usual variables of the environment (`AWS_…`, `GOOGLE_…`,
+//! Who may read and write is given by the usual variables of the environment (`AWS_…`, `GOOGLE_…`,
 //! `AZURE_…`), and for S3 by a profile (`profile.rs`); by nothing else: an address that holds a secret is refused, and what a query of an
 //! address holds is cut out of every text.
 

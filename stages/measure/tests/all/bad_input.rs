@@ -1,4 +1,4 @@
-//! Bodies that nobody could tape so: estimated by their reasons, nothing invented.
+//! Bodies that nobody could tape so: refused with reasons, nothing invented.
 
 use crate::made;
 

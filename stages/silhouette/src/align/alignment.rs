@@ -22,7 +22,7 @@ pub(crate) fn on_plate(photo: &Rgb, plate: &Gray, factor: usize) -> Alignment {
     }
 }
 
-/// How photos of a turn are on each other.
+/// How photos of a turn are aligned with each other.
 pub(crate) fn on_each_other(photos: &[Rgb]) -> Vec<Placed> {
     let grays: Vec<Gray> = photos.par_iter().map(Rgb::gray).collect();
     let placed = registered(&grays).0.into_iter();
@@ -72,7 +72,7 @@ mod tests {
     use shape::toned;
 
     /// Photos of a patterned wall before which a plain block goes to and fro, each shifted and exposed
-    /// otherwise; the wall, and how each is.
+    /// otherwise; the wall, and how each is aligned.
     fn turn() -> (Rgb, Vec<Rgb>, Vec<[f64; 2]>) {
         let wave = |x: f64, y: f64, c: f64| {
             110.0

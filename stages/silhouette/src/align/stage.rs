@@ -64,7 +64,7 @@ impl Stage for Align {
     }
 }
 
-/// How photos are on the plate.
+/// How photos are aligned with the plate.
 fn placed_on(
     plate: &Photo,
     photos: &Photos,
@@ -102,7 +102,7 @@ fn one_view(alignment: Alignment) -> Aligned {
     }
 }
 
-/// How photos that have a camera are on each other, and what brings them to one exposure.
+/// How photos that have a camera are aligned with each other, and what brings them to one exposure.
 fn alike(
     photos: &Photos,
     cameras: &Cameras,

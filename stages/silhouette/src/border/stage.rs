@@ -34,7 +34,7 @@ stage::inputs! {
     pub struct BorderInput {
         /// The photos.
         photos: Arc<Photos>,
-        /// How they are, with their cameras.
+        /// How they are aligned, with their cameras.
         aligned: Arc<Aligned>,
         /// The scene without the body.
         scene: Arc<Scene>,

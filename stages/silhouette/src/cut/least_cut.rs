@@ -24,7 +24,7 @@ pub(crate) struct Window {
     pub height: usize,
 }
 
-/// What a cut goes by. Pixels are estimated by their place in the photo (`i`) or in the window (`here`).
+/// What a cut goes by. Pixels are named by their place in the photo (`i`) or in the window (`here`).
 pub(crate) struct Terms<'a> {
     /// What is known of pixel `i`.
     pub(crate) known: &'a dyn Fn(usize) -> Known,

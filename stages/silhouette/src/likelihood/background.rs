@@ -22,7 +22,7 @@ const SHADED_SHARE: f32 = 0.1;
 /// -ln p(pixel | background) of the pixels of a rectangle (left, top, width, height), row-major, up to
 /// a constant that noise changes (`Noise::thinner`).
 ///
-/// The pixel may match what is expected there, or are part of the way (`SLACK`) towards the
+/// The pixel may match what is expected there, or be part of the way (`SLACK`) towards the
 /// darkest and brightest of its eight neighbours (edges move by a part of a pixel), as it is or
 /// with its light changed as far as the ground there allows. One pixel may match by chance: the
 /// means of a neighbourhood (`reach` pixels to each side) that it belongs to must match, too, in a light that

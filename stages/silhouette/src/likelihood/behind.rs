@@ -46,12 +46,12 @@ impl<'a> Behind<'a> {
         self.scene.views.iter().map(|(id, _)| id)
     }
 
-    /// Camera where photos are alike, and the disk's radius. \[mm\]
+    /// Camera where photos are aligned, and the disk's radius. \[mm\]
     pub(crate) fn disk(&self, id: PhotoId) -> Option<(Camera, f64)> {
         self.aligned.camera(id).zip(self.aligned.disk_radius_mm())
     }
 
-    /// What a photo, where photos are alike, would show without the subject.
+    /// What a photo, where photos are aligned, would show without the subject.
     pub(crate) fn of_photo(&self, id: PhotoId, pixels: &Rgb) -> Backdrop {
         if let Some(laid) = &self.laid {
             return match self.aligned.camera(id) {

@@ -27,7 +27,7 @@ stage::inputs! {
     pub struct LikelihoodInput {
         /// The photos.
         photos: Arc<Photos>,
-        /// How they are, with their cameras.
+        /// How they are aligned, with their cameras.
         aligned: Arc<Aligned>,
         /// The scene without the body.
         scene: Arc<Scene>,

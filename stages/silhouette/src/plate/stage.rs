@@ -12,7 +12,7 @@ stage::inputs! {
     pub struct PlateInput {
         /// The photos.
         photos: Arc<Photos>,
-        /// How they are on the plate.
+        /// How they are aligned with the plate.
         aligned: Arc<Aligned>,
     }
 }

@@ -35,7 +35,7 @@ stage::inputs! {
     pub struct RoomInput {
         /// The photos.
         photos: Arc<Photos>,
-        /// How they are on each other, with their cameras.
+        /// How they are aligned with each other, with their cameras.
         aligned: Arc<Aligned>,
         /// The scene as far as it is known already, such as by a plate: what is known is left as it is.
         known: Option<Arc<Scene>>,
