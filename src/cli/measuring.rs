@@ -14,6 +14,7 @@ use super::words;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
 use crate::store::Store;
+use crate::words::alike::as_read;
 use command::{Fault, GlobalArgs, Job, Ran, check_out, execute};
 use engine::Outcome;
 use serde_json::Value;
@@ -230,7 +231,7 @@ fn unended(measure: &Measure, ready: &Prepared, live: &Live, global: &GlobalArgs
     if global.json || global.quiet {
         return;
     }
-    let reported = [ready.warnings.clone(), live.warnings()].concat();
+    let reported = as_read([ready.warnings.clone(), live.warnings()].concat());
     let text = warned(measure.words(), &reported);
     if !text.is_empty() {
         command::errln!("{}", text.trim_end());

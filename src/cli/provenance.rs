@@ -3,6 +3,7 @@
 use crate::catalog::titled;
 use crate::engine::Outcome;
 use crate::graph::Graph;
+use crate::words::alike::joined;
 use command::Ran;
 use command::text::short;
 use serde_json::Value;
@@ -66,7 +67,7 @@ fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, Message)> {
     let why = |w: &Message| w.fields().get("why").map(ToString::to_string);
     let in_table = |w: &Message| why(w).is_some_and(|why| whys.contains(&why));
     let new = warnings.filter(|(_, warning)| !in_table(warning));
-    each_once(new)
+    joined(each_once(new))
 }
 
 /// Warnings by node without those that a node before it has in the same words.

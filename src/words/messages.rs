@@ -20,6 +20,20 @@ pub(crate) fn is_news(message: &Message) -> bool {
     NEWS.contains(&message.code())
 }
 
+/// The English sentence of what its fields are now, as stages have it.
+pub(crate) fn in_english(message: &Message) -> String {
+    let field = |name: &str| message.fields().get(name).cloned();
+    let sentence = kind(message.code()).map(|kind| kind.filled(field, Field::to_string));
+    let mut text = sentence.unwrap_or_else(|| message.to_string());
+    if let Some(about) = message.about() {
+        text = format!("{about}: {text}");
+    }
+    if let Some(remedy) = message.remedy() {
+        text += &format!("; {remedy}");
+    }
+    text
+}
+
 /// A message in the reader's language; none where that has no text for it.
 pub(crate) fn translated(words: Words, message: &Message) -> Option<String> {
     let mut text = sentence(words, message)?;

@@ -5,6 +5,7 @@ use super::super::home::Place;
 use super::super::progress::Progress;
 use super::super::record::Record;
 use super::{facts, page, progress, result, seen, sentence};
+use crate::words::alike::as_read;
 use crate::words::language::Words;
 use maud::{Markup, html};
 use serde_json::Value;
@@ -71,6 +72,7 @@ fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
     let at = format!("/captures/{}", place.id);
     let nothing = girths.as_ref().is_some_and(result::is_empty);
     let goes_on = progress.goes_on();
+    let warnings = as_read(progress.warnings.clone());
     let again = match progress.state {
         "none" => "measure",
         "interrupted" | "stopped" => "measure-on",
@@ -96,9 +98,9 @@ fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
             }
             div #steps { (progress::steps(words, progress)) }
             div #pictures .pictures { (progress::pictures(words, &place.id, progress)) }
-            @if !progress.warnings.is_empty() {
-                details { summary { (words.with("warnings", &[("count", progress.warnings.len().into())])) }
-                    ul { @for warning in &progress.warnings { li { (sentence(words, record, warning)) } } } }
+            @if !warnings.is_empty() {
+                details { summary { (words.with("warnings", &[("count", warnings.len().into())])) }
+                    ul { @for warning in &warnings { li { (sentence(words, record, warning)) } } } }
             }
         }
     }

@@ -91,6 +91,13 @@ impl Message {
         self
     }
 
+    /// The same with another field of this name, its text as it was.
+    #[must_use]
+    pub fn with_field(mut self, name: &str, field: Field) -> Message {
+        self.0.fields.insert(name.to_owned(), field);
+        self
+    }
+
     /// The same with where it comes from before its sentence, for a list: `body: the sentence`. No field has it.
     #[must_use]
     pub fn from_where(mut self, place: &str) -> Message {

@@ -14,7 +14,7 @@ use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
 use stage::message;
 
 stage::messages! {
-    FEW_HOLD = "warn-few-hold": "{name} has only {count} features in common with other photos: its camera follows from those of the other photos; is it in its place in the turning order?";
+    FEW_HOLD = "warn-few-hold": "only {count} features in common with other photos, so the camera follows from those of the other photos: is the photo in its place in the turning order?";
     FEW_FIT = "warn-few-fit": "only {share:.0 %} of the features fit the cameras: look at the camera ring before you trust it";
     NO_FOCAL = "warn-no-focal": "the focal length is unknown and the photos hardly determine it: give `focal_35mm` in capture.toml";
 }
@@ -82,7 +82,7 @@ pub(crate) fn to_cameras(
     }
     warnings.extend(misfits(&cameras));
     for view in cameras.views.values().filter(|v| v.points < 30) {
-        warnings.push(message!(FEW_HOLD, name = &view.name, count = view.points));
+        warnings.push(message!(FEW_HOLD, count = view.points).of_what(&view.name));
     }
     if share < 0.5 {
         warnings.push(message!(FEW_FIT, share = share * 100.0));
