@@ -18,6 +18,9 @@ use std::sync::Arc;
 stage::messages! {
     /// Where [`on_the_spot`] holds.
     ON_THE_SPOT = "find-can-turning": "a person turns before a fixed camera: without a disk, give --turning --stature CM";
+    /// What mends an [`OTHER_MAT`].
+    HAND_OVER = "find-mat-other-mend": "hand over the file of the mat on the disk with --mat, or correct `[mat]` in capture.toml";
+    NOTHING = "find-can-no-mat": "no, with this mat: see above";
 }
 
 /// Arguments of `tailor doctor`.
@@ -34,6 +37,9 @@ pub(crate) struct Doctor {
     #[command(flatten)]
     facts: Facts,
 }
+
+/// The warning of what stops `measure`: cameras do not come from another mat's tags.
+const OTHER_MAT: &str = "warn-mat-other";
 
 /// Findings, each with the warning that it makes superfluous.
 const SAME: [(&str, &str); 1] = [("find-feet", "warn-cut-lower")];
@@ -110,7 +116,7 @@ fn looked(
     let document = get::<Document>(&graph, &outcome, "look");
     let document = document
         .ok_or_else(|| Fault::stage("what was seen went out of the cache: run it again"))?;
-    let findings: Value = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
+    let mut findings: Value = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
     let mut warnings = looked.warnings;
     for done in outcome.nodes.iter().flatten() {
         warnings.extend(done.warnings.iter().cloned());
@@ -120,6 +126,9 @@ fn looked(
         SAME.contains(&(message(&found["what"]).code(), warning.code()))
     };
     warnings.retain(|warning| !entries(&findings).any(|found| same(warning, found)));
+    if let Some(at) = warnings.iter().position(|w| w.code() == OTHER_MAT) {
+        stop(&mut findings, warnings.remove(at));
+    }
     Ok(Look {
         findings,
         warnings,
@@ -129,6 +138,17 @@ fn looked(
         images: looked.patterns,
         files: looked.photos,
     })
+}
+
+/// Of a capture whose mat is another one nothing will come.
+fn stop(findings: &mut Value, why: Message) {
+    let mend = stage::message!(HAND_OVER);
+    let found = json!({ "grade": GRADES[0], "what": why, "mend": mend, "photos": [] });
+    let all = findings["findings"].as_array_mut();
+    all.expect("bug: a look without findings").insert(0, found);
+    for can in findings["can"].as_object_mut().into_iter().flatten() {
+        *can.1 = json!(stage::message!(NOTHING));
+    }
 }
 
 /// Looks at a capture. One of which nothing will come ends with 1.

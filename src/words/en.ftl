@@ -352,6 +352,7 @@ find-empty = the person, seen in all other photos, is not seen here
 find-empty-plate = if this is the empty scene, choose it above as its photo; else leave it out, or take it again
 find-focal-mend = keep EXIF in the photos, or give the focal length above
 find-length-mend = give the stature or the disk above, or lay a mat on the disk
+find-mat-other-mend = hand over the file of the mat on the disk, or correct what is given of it
 find-moved = only { $still } of the picture do not move: the camera, or all behind the person, moved between the photos
 find-moved-mend = a turn wants one camera on a tripod and the person on a disk; was the camera walked around a person who did not move? Then mark it above
 find-noise-mend = outlines may lose parts where clothes have the background's colour: take the photos in more light, at a lower ISO, or in clothes that differ more from the background

@@ -103,6 +103,29 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
 }
 
 #[test]
+fn another_mat_than_the_one_on_the_disk_stops() {
+    let place = turn();
+    let mat = "--mat-tag 60 --mat-ring";
+    let right = format!("doctor turn --json {mat} 187 --mat-ids 0-11");
+    let reported = place.run(&right).code(0).json();
+    assert!(!reported["findings"].to_string().contains("another mat"));
+    for wrong in [
+        "200 --mat-ids 0-11",
+        "187 --mat-ids 0-15",
+        "187 --mat-ids 20-31",
+    ] {
+        let reported = place.run(&format!("doctor turn --json {mat} {wrong}"));
+        let reported = reported.code(1).json();
+        let first = &reported["findings"][0];
+        assert_eq!(first["grade"], "stop", "{reported}");
+        let what = first["what"]["text"].as_str().unwrap();
+        assert!(what.contains("12 go around, numbers 0 to 11"), "{what}");
+        let girths = reported["can"]["girths"]["text"].as_str().unwrap();
+        assert!(girths.starts_with("no"), "{girths}");
+    }
+}
+
+#[test]
 fn init_writes_what_photos_say_once_and_measure_reads_it() {
     let place = turn();
     let printed = place

@@ -153,8 +153,9 @@ fn what_was_warned_of_is_told_where_nothing_comes_of_it() {
         &printed.code(1).err,
         &[
             "turn: 9 photos",
-            "\n1 warning\n",
+            "\n2 warnings\n",
             "raw.cr2",
+            "another mat than is given",
             "calibrated failed: ",
         ],
     );

@@ -19,6 +19,7 @@ stage::messages! {
     FOUND = "warn-mat-known": "the mat was recognised: {count} tags, numbers {first} to {last}, on a ring with a radius of {radius:.1 mm}";
     ABOUT = "warn-mat-about": "the mat was recognised: {count} tags, numbers {first} to {last}, on a ring with a radius of {radius:.1 mm}, to within {open:.0 mm} ({share:.2 %} of all lengths): measure it from the middle to a tag's middle and give --mat-ring and --mat-ids {first}-{last}, or hand over the mat's file with --mat";
     ODD_RING = "warn-mat-odd": "the tags are on a ring with a radius of {radius:.1 mm} if they are {tag} mm wide, and `tailor mat` lays out none like that: measure a printed tag again, or describe the mat in `[mat]` of capture.toml; the tags are not used";
+    OTHER = "warn-mat-other": "the tags in the photos are those of another mat than is given: {count} go around, numbers {first} to {last}, on a ring of {ring:.2} times a tag's size; given are {given}, from number {from}, on {wide:.2} times";
     NO_RING = "warn-mat-no-ring": "the tags in the photos are not on a ring as a mat of `tailor mat` has them: describe the mat in `[mat]` of capture.toml; the tags are not used";
 }
 
@@ -155,6 +156,30 @@ fn least(
     }
     let at = (low + high) / 2.0;
     Some((at, cost(at)?))
+}
+
+/// What the photos show where it is another mat than the given one.
+pub(crate) fn another(tags: &Tags, given: &Mat) -> Option<Message> {
+    let seen = ringed(tags)?;
+    let wide = given.ring_mm / given.tag_mm;
+    let ids = given.first_id..given.first_id + given.count;
+    let same = seen.count == given.count
+        && ids.contains(&seen.first_id)
+        && (seen.ring / wide - 1.0).abs() < PRINTED;
+    if same {
+        return None;
+    }
+    let last = tags.views.values().flatten().map(|tag| tag.id).max()?;
+    Some(message!(
+        OTHER,
+        count = seen.count,
+        first = seen.first_id,
+        last = last,
+        ring = seen.ring,
+        given = given.count,
+        from = given.first_id,
+        wide = wide
+    ))
 }
 
 /// The radius that fits best near a rough one, together with how far ink and light shift the sides of all

@@ -1,6 +1,6 @@
 //! The stage that finds the marker tags on the photos.
 
-use crate::mat::recognise::ringed;
+use crate::mat::recognise::{another, ringed};
 use crate::tags::corners::refined;
 use rayon::prelude::*;
 use shape::{ByPhoto, Photo, PhotoId, Photos, Tag, Tags};
@@ -96,6 +96,10 @@ impl Stage for FindTags {
         if !given {
             unused_tags(&tags).iter().for_each(|w| ctx.warn(w));
         }
+        let mat = input.photos.rig.mat.as_ref();
+        mat.and_then(|mat| another(&tags, mat))
+            .iter()
+            .for_each(|w| ctx.warn(w));
         Ok(tags)
     }
 }
