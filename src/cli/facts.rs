@@ -1,7 +1,8 @@
 //! What is known of a capture, as flags: each is a key of `capture.toml`, said over the file.
 
-use super::length::{age_months, length_mm, weight_kg};
+use super::length::length_mm;
 use super::mat_file::mat_file;
+use super::numbers::Numbers;
 use super::stated::{All, Stated, place};
 use clap::Args;
 use command::Fault;
@@ -11,27 +12,14 @@ use std::path::PathBuf;
 #[derive(Args, Clone, Default)]
 #[command(next_help_heading = "What is known of the capture (over capture.toml)")]
 pub(crate) struct Facts {
-    /// The subject's stature: 178 (cm), 1.78m, 70in, 5ft10in
-    #[arg(long, value_name = "LENGTH")]
-    stature: Option<String>,
-    /// The subject's weight: 80 (kg), 176lb
-    #[arg(long, value_name = "WEIGHT")]
-    weight: Option<String>,
+    #[command(flatten)]
+    numbers: Numbers,
     /// For growth references and thresholds: female or male
     #[arg(long, value_name = "SEX")]
     sex: Option<String>,
-    /// The subject's age on the day of the capture, for growth references: 9.5 (years), 9y6mo, 114mo
-    #[arg(long, value_name = "AGE", conflicts_with = "born")]
-    age: Option<String>,
     /// The subject's day of birth, in place of an age: 2016-05-01; the capture's own day must be known
-    #[arg(long, value_name = "DAY")]
+    #[arg(long, value_name = "DAY", conflicts_with = "age")]
     born: Option<String>,
-    /// Focal length as if on 36 × 24 mm film, by the diagonal, where photos do not tell
-    #[arg(long, value_name = "MM")]
-    focal: Option<f64>,
-    /// Focal length as a calibration of this lens gave it, in pixels of the photo at full size
-    #[arg(long, value_name = "PX")]
-    focal_px: Option<f64>,
     /// Principal point as a calibration gave it, in pixels, the top-left one's centre at 0,0
     #[arg(long, value_name = "X,Y")]
     centre_px: Option<String>,
@@ -43,12 +31,6 @@ pub(crate) struct Facts {
         allow_negative_numbers = true
     )]
     steps: Option<i64>,
-    /// Even turn between photos in degrees; positive if the subject turns counter-clockwise seen from above
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
-    step: Option<f64>,
-    /// How many photos there should be
-    #[arg(long, value_name = "COUNT")]
-    views: Option<i64>,
     /// Which photos are the turn, in turning order: names or patterns such as 'IMG_01*.jpg'; may be repeated
     #[arg(long, value_name = "PATTERN")]
     images: Vec<String>,
@@ -61,31 +43,15 @@ pub(crate) struct Facts {
     /// What the capture is called in the report
     #[arg(long)]
     name: Option<String>,
-    /// The disk's diameter: 70 (cm), 700mm, 28in
-    #[arg(long, value_name = "LENGTH")]
-    disk_diameter: Option<String>,
     /// The marker mat: the file that `tailor mat` wrote (.pdf, .svg or .toml)
     #[arg(long, value_name = "FILE")]
     mat: Option<PathBuf>,
-    /// Edge length of a mat tag's black square as measured on the print: 60 (mm). Said alone, the rest of a mat
-    /// of `tailor mat` is found in the photos
-    #[arg(long, value_name = "LENGTH")]
-    mat_tag: Option<String>,
     /// First and last number of the mat's tags: 0-11
     #[arg(long, value_name = "FIRST-LAST")]
     mat_ids: Option<String>,
-    /// Radius of the circle through the mat tags' centres: 187 (mm)
-    #[arg(long, value_name = "LENGTH")]
-    mat_ring: Option<String>,
-    /// Edge length of a tag's black square on the disk's rim: 24 (mm)
-    #[arg(long, value_name = "LENGTH")]
-    rim_tag: Option<String>,
     /// First and last number of the rim's tags: 12-47
     #[arg(long, value_name = "FIRST-LAST")]
     rim_ids: Option<String>,
-    /// Radius of the rim's printed face: 225 (mm)
-    #[arg(long, value_name = "LENGTH")]
-    rim_radius: Option<String>,
     /// A known length: subject_height=165cm, disk_diameter=70cm, tag_size=60mm, points=297mm (with --seen)
     #[arg(long, value_name = "KIND=LENGTH")]
     reference: Option<String>,
@@ -130,13 +96,14 @@ impl Facts {
     /// Whether marker tags are named.
     pub(super) fn tagged(&self) -> bool {
         let mat = |fact: &String| fact.starts_with("mat.");
-        self.mat.is_some() || self.mat_tag.is_some() || self.fact.iter().any(mat)
+        self.mat.is_some() || self.numbers.has("mat-tag") || self.fact.iter().any(mat)
     }
 
     /// How far the subject turned between photos. \[°\]
     pub(super) fn step_deg(&self) -> Option<f64> {
         let steps = self.steps.filter(|steps| *steps != 0);
-        self.step.or(steps.map(|steps| 360.0 / steps as f64))
+        let given = self.numbers.plain("step");
+        given.or(steps.map(|steps| 360.0 / steps as f64))
     }
 
     /// The changes of the pipeline.
@@ -147,41 +114,7 @@ impl Facts {
                 all.put("--mat", &file.display(), &key, value);
             }
         }
-        for (flag, stated, key, unit) in [
-            ("--stature", &self.stature, "subject.height_cm", "cm"),
-            (
-                "--disk-diameter",
-                &self.disk_diameter,
-                "disk.diameter_cm",
-                "cm",
-            ),
-            ("--mat-tag", &self.mat_tag, "mat.tag_size_mm", "mm"),
-            ("--mat-ring", &self.mat_ring, "mat.ring_radius_mm", "mm"),
-            ("--rim-tag", &self.rim_tag, "rim.tag_size_mm", "mm"),
-            ("--rim-radius", &self.rim_radius, "rim.radius_mm", "mm"),
-        ] {
-            let Some(text) = stated else { continue };
-            let mm = length_mm(text, unit).map_err(|why| Fault::input(format!("{flag}: {why}")))?;
-            let per = if unit == "cm" { 10.0 } else { 1.0 };
-            all.put(flag, text, key, (mm / per).into());
-        }
-        if let Some(text) = &self.weight {
-            let kg = weight_kg(text).map_err(|why| Fault::input(format!("--weight: {why}")))?;
-            all.put("--weight", text, "subject.weight_kg", kg.into());
-        }
-        if let Some(text) = &self.age {
-            let months = age_months(text).map_err(|why| Fault::input(format!("--age: {why}")))?;
-            all.put("--age", text, "subject.age_years", (months / 12.0).into());
-        }
-        for (flag, stated, key) in [
-            ("--focal", self.focal, "camera.focal_35mm"),
-            ("--focal-px", self.focal_px, "camera.focal_px"),
-            ("--step", self.step, "step_deg"),
-        ] {
-            if let Some(number) = stated {
-                all.put(flag, &number, key, number.into());
-            }
-        }
+        self.numbers.stated(&mut all)?;
         if let Some(steps) = self.steps {
             let degrees = self.step_deg();
             let none = || Fault::input("--steps 0: how many even steps has the full turn?");
@@ -191,9 +124,6 @@ impl Facts {
                 "step_deg",
                 degrees.ok_or_else(none)?.into(),
             );
-        }
-        if let Some(views) = self.views {
-            all.put("--views", &views, "views", views.into());
         }
         for (flag, stated, key) in [
             ("--plate", &self.plate, "plate"),

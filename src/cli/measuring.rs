@@ -211,7 +211,6 @@ pub(crate) fn ahead(measure: &Measure) -> Result<Job, Fault> {
         measure.folders.iter().partition(|word| word.exists());
     let (capture, nodes) = match (folders.as_slice(), words.as_slice()) {
         ([capture], nodes) => (*capture, nodes),
-        // It is told that it is not there.
         ([], [capture, nodes @ ..]) => (*capture, nodes),
         _ => return Err(Fault::input("one capture at a time: give one folder")),
     };
@@ -231,8 +230,8 @@ fn unended(measure: &Measure, ready: &Prepared, live: &Live, global: &GlobalArgs
     if global.json || global.quiet {
         return;
     }
-    let reported = as_read([ready.warnings.clone(), live.warnings()].concat());
-    let text = warned(measure.words(), &reported);
+    let all = [ready.warnings.clone(), live.warnings()].concat();
+    let text = warned(measure.words(), &as_read(all));
     if !text.is_empty() {
         command::errln!("{}", text.trim_end());
     }

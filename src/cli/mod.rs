@@ -18,6 +18,7 @@ mod mat_file;
 pub(crate) mod measure_args;
 pub(crate) mod measure_verb;
 pub(crate) mod measuring;
+mod numbers;
 pub(crate) mod prepared;
 pub(crate) mod provenance;
 pub(crate) mod repeat;

@@ -1,32 +1,20 @@
 //! What is known of a capture, as it is given on the page: checked, then the words of `tailor measure`.
 
-use serde::{Deserialize, Serialize};
+use crate::catalog::{KNOWN, Known, Quantity};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
+use std::collections::BTreeMap;
 
 /// What is known of a capture; all may be left out.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(default)]
 pub(super) struct Facts {
-    /// \[cm\]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) stature_cm: Option<f64>,
-    /// \[kg\]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) weight_kg: Option<f64>,
+    /// The known numbers that are given.
+    #[serde(flatten)]
+    pub(super) numbers: Numbers,
     /// Whose growth reference is meant.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) sex: Option<Sex>,
-    /// On the day of the capture. \[years\]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) age_years: Option<f64>,
-    /// Edge length of a mat tag's black square. \[mm\]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) mat_tag_mm: Option<f64>,
-    /// \[cm\]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) disk_diameter_cm: Option<f64>,
-    /// As if on 36 × 24 mm film. \[mm\]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) focal_mm: Option<f64>,
     /// Into how many even steps the turn was divided; negative if it went clockwise seen from above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) steps: Option<i64>,
@@ -39,6 +27,39 @@ pub(super) struct Facts {
     pub(super) quick: bool,
     /// Whether the report shows inches.
     pub(super) inches: bool,
+}
+
+/// Numbers by the names of their fields, each in its key's unit. What is no field of the page is refused.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(super) struct Numbers(pub(super) BTreeMap<&'static str, f64>);
+
+impl Numbers {
+    /// A number, if it is given.
+    pub(super) fn get(&self, field: &str) -> Option<f64> {
+        self.0.get(field).copied()
+    }
+}
+
+impl<'de> Deserialize<'de> for Numbers {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Numbers, D::Error> {
+        let given = BTreeMap::<String, serde_json::Value>::deserialize(from)?;
+        let mut numbers = BTreeMap::new();
+        for (name, value) in given {
+            let unknown = || D::Error::custom(format!("unknown field `{name}`"));
+            let (field, _) = fields().find(|(f, _)| *f == name).ok_or_else(unknown)?;
+            match value.as_f64() {
+                Some(number) => numbers.insert(field, number),
+                None if value.is_null() => continue,
+                None => return Err(D::Error::custom(format!("{name}: {value} is no number"))),
+            };
+        }
+        Ok(Numbers(numbers))
+    }
+}
+
+/// The numbers that have a field on the page, by its name.
+pub(super) fn fields() -> impl Iterator<Item = (&'static str, &'static Known)> {
+    KNOWN.iter().filter_map(|known| Some((known.field?, known)))
 }
 
 /// Which photo is of the empty scene: a number, `null` for none, and left out for the one by its name.
@@ -92,6 +113,10 @@ impl Sex {
     }
 }
 
+/// Fewer steps of a turn are no turn (structural), and more than this are a slip of the keyboard (by hand: no capture had more
+/// than 100).
+const STEPS: [f64; 2] = [3.0, 400.0];
+
 /// A fact that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{field}: {given} is not between {least} and {most}")]
@@ -107,26 +132,19 @@ pub(super) struct Unlikely {
 }
 
 impl Facts {
-    /// The numbers with the limits that are believed: a slip of the keyboard is refused at once.
-    fn numbers(&self) -> [(&'static str, Option<f64>, f64, f64); 7] {
-        [
-            ("stature_cm", self.stature_cm, 40.0, 260.0),
-            ("weight_kg", self.weight_kg, 2.0, 400.0),
-            ("age_years", self.age_years, 0.0, 130.0),
-            ("mat_tag_mm", self.mat_tag_mm, 5.0, 500.0),
-            ("disk_diameter_cm", self.disk_diameter_cm, 20.0, 300.0),
-            ("focal_mm", self.focal_mm, 5.0, 1000.0),
-            ("steps", self.steps.map(|s| s.abs() as f64), 3.0, 400.0),
-        ]
-    }
-
     /// Whether they can be.
     ///
     /// # Errors
     ///
     /// The first that cannot.
     pub(super) fn check(&self) -> Result<(), Unlikely> {
-        for (field, given, least, most) in self.numbers() {
+        let number = |(field, known): (_, &Known)| {
+            let given = self.numbers.get(field);
+            (field, given, known.least, known.most)
+        };
+        let steps = self.steps.map(|steps| steps.abs() as f64);
+        let steps = ("steps", steps, STEPS[0], STEPS[1]);
+        for (field, given, least, most) in fields().map(number).chain([steps]) {
             if let Some(given) = given.filter(|n| !(*n >= least && *n <= most)) {
                 return Err(Unlikely {
                     field,
@@ -141,21 +159,28 @@ impl Facts {
 
     /// As flags of `tailor measure` and `tailor doctor`; `plate` is the file of that number.
     pub(super) fn words(&self, plate: Option<&str>) -> Vec<String> {
-        let number = |flag: &str, given: Option<f64>, unit: &str| {
-            given.map(|given| format!("--{flag}={given}{unit}"))
+        let number = |(field, known): (_, &Known)| {
+            let unit = match known.of {
+                Quantity::Length(unit) => unit,
+                Quantity::Weight => "kg",
+                Quantity::Age => "y",
+                Quantity::Number(_) | Quantity::Count => "",
+            };
+            Some(format!(
+                "--{}={}{unit}",
+                known.flag,
+                self.numbers.get(field)?
+            ))
         };
-        let given = [
-            number("stature", self.stature_cm, "cm"),
-            number("weight", self.weight_kg, "kg"),
+        let more = [
             self.sex.map(|sex| format!("--sex={}", sex.word())),
-            number("age", self.age_years, "y"),
-            number("mat-tag", self.mat_tag_mm, "mm"),
-            number("disk-diameter", self.disk_diameter_cm, "cm"),
-            number("focal", self.focal_mm, ""),
             self.steps.map(|steps| format!("--steps={steps}")),
             plate.map(|plate| format!("--plate={plate}")),
         ];
-        given.into_iter().flatten().collect()
+        fields()
+            .filter_map(number)
+            .chain(more.into_iter().flatten())
+            .collect()
     }
 }
 
@@ -163,12 +188,18 @@ impl Facts {
 mod tests {
     use super::*;
 
+    fn of(field: &'static str, number: f64) -> Facts {
+        Facts {
+            numbers: Numbers([(field, number)].into()),
+            ..Facts::default()
+        }
+    }
+
     #[test]
     fn what_is_given_becomes_flags_and_slips_are_refused() {
         let facts = Facts {
-            stature_cm: Some(171.5),
             steps: Some(-18),
-            ..Facts::default()
+            ..of("stature_cm", 171.5)
         };
         let words = facts.words(Some("0019.jpg"));
         assert_eq!(
@@ -177,12 +208,23 @@ mod tests {
         );
         assert_eq!(facts.check(), Ok(()));
         for bad in [1.71, 1715.0, f64::NAN, -171.0] {
-            let facts = Facts {
-                stature_cm: Some(bad),
-                ..Facts::default()
-            };
+            let facts = of("stature_cm", bad);
             assert_eq!(facts.check().unwrap_err().field, "stature_cm", "{bad}");
         }
-        assert!(serde_json::from_str::<Facts>(r#"{"set":"photos.stop=false"}"#).is_err());
+        let read = |text| serde_json::from_str::<Facts>(text);
+        assert_eq!(read(r#"{"steps":-18,"stature_cm":171.5}"#).unwrap(), facts);
+        let wrong = read(r#"{"set":"photos.stop=false"}"#).unwrap_err();
+        assert!(wrong.to_string().contains("unknown field `set`"), "{wrong}");
+        assert!(read(r#"{"weight_kg":"80"}"#).is_err());
+    }
+
+    #[test]
+    fn the_documented_limits_are_those_of_the_page() {
+        let api: serde_json::Value = serde_json::from_str(super::super::handed::OPENAPI).unwrap();
+        let documented = &api["components"]["schemas"]["Facts"]["properties"];
+        for (field, known) in fields() {
+            let limits = ["minimum", "maximum"].map(|end| documented[field][end].as_f64());
+            assert_eq!(limits, [Some(known.least), Some(known.most)], "{field}");
+        }
     }
 }

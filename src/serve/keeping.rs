@@ -167,21 +167,21 @@ fn meanwhile(words: Words, record: &Record, name: &str, now: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::facts::Numbers;
     use super::*;
     use serde_json::json;
 
     #[test]
     fn some_facts_go_over_those_that_are_known() {
         let known = Facts {
-            stature_cm: Some(171.5),
-            weight_kg: Some(64.0),
+            numbers: Numbers([("stature_cm", 171.5), ("weight_kg", 64.0)].into()),
             walk: true,
             ..Facts::default()
         };
         let given = json!({ "weight_kg": 65.0, "stature_cm": null, "plate": null });
         let facts = merged(&known, &given).unwrap();
         let expected = Facts {
-            weight_kg: Some(65.0),
+            numbers: Numbers([("weight_kg", 65.0)].into()),
             walk: true,
             plate: Plate::Nothing,
             ..Facts::default()

@@ -1,7 +1,8 @@
 //! What was typed into the form of facts, read as the reader writes numbers.
 
-use super::facts::{Facts, Plate, Sex};
+use super::facts::{Facts, Numbers, Plate, Sex, fields};
 use super::pages::facts::Slips;
+use crate::catalog::{Known, Quantity};
 use crate::words::language::Words;
 use std::collections::{BTreeMap, HashMap};
 
@@ -24,13 +25,9 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
             None
         })
     };
+    let number = |(name, known): (_, &Known)| Some((name, read(name, in_cm(known))?));
     let mut facts = Facts {
-        stature_cm: read("stature_cm", true),
-        weight_kg: read("weight_kg", false),
-        age_years: read("age_years", false),
-        mat_tag_mm: read("mat_tag_mm", false),
-        disk_diameter_cm: read("disk_diameter_cm", true),
-        focal_mm: read("focal_mm", false),
+        numbers: Numbers(fields().filter_map(number).collect()),
         ..Facts::default()
     };
     let steps = read("steps", false);
@@ -47,7 +44,7 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
     if let Err(why) = facts.check()
         && !slips.contains_key(why.field)
     {
-        let length = ["stature_cm", "disk_diameter_cm"].contains(&why.field);
+        let length = fields().any(|(name, known)| name == why.field && in_cm(known));
         let shown = |n: f64| {
             if length {
                 words.length(n)
@@ -69,6 +66,11 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
             stale: false,
         }),
     }
+}
+
+/// Whether readers write it in their unit of length.
+fn in_cm(known: &Known) -> bool {
+    known.of == Quantity::Length("cm")
 }
 
 #[cfg(test)]
@@ -100,12 +102,11 @@ mod tests {
             ]),
         );
         let expected = Facts {
-            stature_cm: Some(171.5),
+            numbers: Numbers([("stature_cm", 171.5), ("age_years", 9.5)].into()),
             steps: Some(-18),
             walk: true,
             plate: Plate::Photo(3),
             sex: Some(Sex::Male),
-            age_years: Some(9.5),
             ..Facts::default()
         };
         assert_eq!(parsed, Ok(expected));
@@ -118,7 +119,7 @@ mod tests {
             ]),
         )
         .unwrap_err();
-        assert!(slips.why["stature_cm"].contains("40,0 cm"), "{slips:?}");
+        assert!(slips.why["stature_cm"].contains("10,0 cm"), "{slips:?}");
         assert!(slips.typed["weight_kg"] == "viel" && slips.why.contains_key("steps"));
     }
 }

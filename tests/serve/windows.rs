@@ -182,7 +182,7 @@ fn programs_send_some_facts_and_which_version_they_mean() {
         (&json!(64.0), &json!(171.5), &json!(false))
     );
     server
-        .ask("PATCH", &path, &json!({ "weight_kg": 1.0 }))
+        .ask("PATCH", &path, &json!({ "weight_kg": 0.1 }))
         .is(422);
     let bearer = format!("Bearer {}", server.token);
     let put = |version: &str| {

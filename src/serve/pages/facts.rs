@@ -1,7 +1,8 @@
 //! What is known of a capture, as a form.
 
-use super::super::facts::{Facts, Sex};
+use super::super::facts::{self, Facts, Sex};
 use super::super::record::Record;
+use crate::catalog::{Known, Quantity};
 use crate::words::language::Words;
 use maud::{Markup, html};
 use std::collections::{BTreeMap, HashMap};
@@ -39,19 +40,29 @@ struct Field {
 }
 
 fn fields(words: Words, facts: &Facts) -> Vec<Field> {
-    let unit = if words.inches { "in" } else { "cm" };
-    let length = |cm: Option<f64>| cm.map_or(String::new(), |cm| words.field_length(cm));
     let number = |n: Option<f64>| n.map_or(String::new(), |n| words.field(n));
-    let field = |name, value, unit| Field { name, value, unit };
-    vec![
-        field("stature_cm", length(facts.stature_cm), unit),
-        field("mat_tag_mm", number(facts.mat_tag_mm), "mm"),
-        field("disk_diameter_cm", length(facts.disk_diameter_cm), unit),
-        field("weight_kg", number(facts.weight_kg), "kg"),
-        field("age_years", number(facts.age_years), ""),
-        field("steps", number(facts.steps.map(|s| s as f64)), ""),
-        field("focal_mm", number(facts.focal_mm), "mm"),
-    ]
+    let field = |(name, known): (&'static str, &Known)| {
+        let given = facts.numbers.get(name);
+        let (value, unit) = match known.of {
+            Quantity::Length("cm") => {
+                let unit = if words.inches { "in" } else { "cm" };
+                (
+                    given.map_or(String::new(), |cm| words.field_length(cm)),
+                    unit,
+                )
+            }
+            Quantity::Length(unit) | Quantity::Number(unit) => (number(given), unit),
+            Quantity::Weight => (number(given), "kg"),
+            Quantity::Age | Quantity::Count => (number(given), ""),
+        };
+        Field { name, value, unit }
+    };
+    let steps = Field {
+        name: "steps",
+        value: number(facts.steps.map(|s| s as f64)),
+        unit: "",
+    };
+    facts::fields().map(field).chain([steps]).collect()
 }
 
 /// The form.

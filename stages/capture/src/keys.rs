@@ -1,5 +1,6 @@
 //! Tables of `capture.toml`, read key by key, and what is wrong with one.
 
+use crate::known::believed;
 use stage::unknown;
 use toml::{Table, Value};
 
@@ -65,12 +66,16 @@ impl Keys<'_> {
         self.table.remove(key)
     }
 
+    /// A key with the name of its table.
+    fn place(&self, key: &str) -> String {
+        match self.name {
+            "" => key.into(),
+            table => format!("{table}.{key}"),
+        }
+    }
+
     pub(crate) fn wrong(&self, key: &str, wants: &str, got: &Value) -> RigError {
-        let place = if self.name.is_empty() {
-            key.into()
-        } else {
-            format!("{}.{key}", self.name)
-        };
+        let place = self.place(key);
         RigError::wrong(format!("`{place}` wants {wants}, but it is {got}"))
     }
 
@@ -93,6 +98,12 @@ impl Keys<'_> {
             other => one(other).map(|text| vec![text]),
         };
         texts.ok_or_else(|| self.wrong(key, "a text or a list of texts", &value))
+    }
+
+    /// One of the known numbers, by what is believed of it.
+    pub(crate) fn known(&mut self, key: &'static str) -> Result<Option<f64>, RigError> {
+        let [least, most] = believed(&self.place(key));
+        self.number(key, least, most)
     }
 
     pub(crate) fn number(

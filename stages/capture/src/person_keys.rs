@@ -32,7 +32,7 @@ pub(crate) fn read_person(table: Table) -> Result<Person, RigError> {
             }
         }
     };
-    let years = subject.number("age_years", 0.0, 130.0)?;
+    let years = subject.known("age_years")?;
     if born.is_some() && years.is_some() {
         let both =
             "`subject.born` and `subject.age_years` are the same fact: leave one of them out";

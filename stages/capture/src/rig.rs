@@ -50,13 +50,13 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     if let Some(Day::Given(day)) = &file.day {
         rig.date = Some(day.clone());
     }
-    rig.step = root.number("step_deg", -360.0, 360.0)?.map(f64::to_radians);
-    file.views = root.number("views", 0.0, 10_000.0)?.map(|x| x as usize);
+    rig.step = root.known("step_deg")?.map(f64::to_radians);
+    file.views = root.known("views")?.map(|x| x as usize);
     file.plate = root.text("plate")?;
     file.images = root.texts("images")?;
     if let Some(mut camera) = root.inner("camera")? {
-        rig.focal_35mm = camera.number("focal_35mm", 5.0, 2000.0)?;
-        rig.focal_px = camera.number("focal_px", 50.0, 1e6)?;
+        rig.focal_35mm = camera.known("focal_35mm")?;
+        rig.focal_px = camera.known("focal_px")?;
         rig.centre_px = read_pixel(&mut camera, "centre_px")?;
         ["make", "model"]
             .iter()
@@ -64,16 +64,14 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
         camera.rest(&mut file.unknown);
     }
     if let Some(mut subject) = root.inner("subject")? {
-        rig.stature_mm = subject
-            .number("height_cm", 10.0, 300.0)?
-            .map(|cm| cm * 10.0);
-        rig.weight_kg = subject.number("weight_kg", 0.5, 500.0)?;
+        rig.stature_mm = subject.known("height_cm")?.map(|cm| cm * 10.0);
+        rig.weight_kg = subject.known("weight_kg")?;
         // Nobody else's matter: `capture.person` reads them.
         PERSONAL.iter().for_each(|key| drop(subject.take(key)));
         subject.rest(&mut file.unknown);
     }
     if let Some(mut disk) = root.inner("disk")? {
-        rig.disk_diameter_mm = disk.number("diameter_cm", 1.0, 1000.0)?.map(|cm| cm * 10.0);
+        rig.disk_diameter_mm = disk.known("diameter_cm")?.map(|cm| cm * 10.0);
         disk.take("top");
         disk.rest(&mut file.unknown);
     }

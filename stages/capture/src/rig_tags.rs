@@ -11,9 +11,9 @@ stage::messages! {
 }
 
 /// A number that must be there.
-fn need(keys: &mut Keys<'_>, key: &'static str, lo: f64, hi: f64) -> Result<f64, RigError> {
+fn need(keys: &mut Keys<'_>, key: &'static str) -> Result<f64, RigError> {
     let name = keys.name();
-    let number = keys.number(key, lo, hi)?;
+    let number = keys.known(key)?;
     number.ok_or_else(|| RigError::missing(format!("`{name}` has no `{key}`")))
 }
 
@@ -58,14 +58,14 @@ pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<(Option<Mat>, Option<f64>)
     if !LAYOUT.iter().any(|key| keys.has(key)) {
         keys.text("family")?;
         LAYOUT.iter().for_each(|key| drop(keys.take(key)));
-        return Ok((None, Some(need(keys, "tag_size_mm", 1.0, 1000.0)?)));
+        return Ok((None, Some(need(keys, "tag_size_mm")?)));
     }
     let (first_id, count) = read_ids(keys)?;
     let mat = Mat {
-        tag_mm: need(keys, "tag_size_mm", 1.0, 1000.0)?,
+        tag_mm: need(keys, "tag_size_mm")?,
         first_id,
         count,
-        ring_mm: need(keys, "ring_radius_mm", 1.0, 10_000.0)?,
+        ring_mm: need(keys, "ring_radius_mm")?,
     };
     Ok((Some(mat), None))
 }
@@ -84,12 +84,12 @@ pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> 
             first_id + count - 1
         )));
     }
-    let radius = keys.number("radius_mm", 10.0, 5000.0)?;
+    let radius = keys.known("radius_mm")?;
     let radius_mm = radius
         .or(rig.disk_diameter_mm.map(|d| d / 2.0))
         .ok_or_else(|| RigError::missing("`rim` has no `radius_mm`, nor has `disk` a diameter"))?;
     Ok(Rim {
-        tag_mm: need(keys, "tag_size_mm", 1.0, 1000.0)?,
+        tag_mm: need(keys, "tag_size_mm")?,
         first_id,
         count,
         radius_mm,

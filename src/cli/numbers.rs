@@ -1,0 +1,93 @@
+//! The known numbers of a capture as flags.
+
+use super::length::{age_months, length_mm, weight_kg};
+use super::stated::All;
+use crate::catalog::{KNOWN, Known, Quantity};
+use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
+use command::Fault;
+use std::collections::BTreeMap;
+
+/// What was given, by flag.
+#[derive(Clone, Default)]
+pub(super) struct Numbers(BTreeMap<&'static str, String>);
+
+impl Numbers {
+    /// Whether this flag was given.
+    pub(super) fn has(&self, flag: &str) -> bool {
+        self.0.contains_key(flag)
+    }
+
+    /// What was given by this flag, if it is a plain number.
+    pub(super) fn plain(&self, flag: &str) -> Option<f64> {
+        self.0.get(flag)?.parse().ok()
+    }
+
+    /// All that was given, as keys of `capture.toml`.
+    ///
+    /// # Errors
+    ///
+    /// The first that cannot be read.
+    pub(super) fn stated(&self, all: &mut All) -> Result<(), Fault> {
+        for known in &KNOWN {
+            let Some(text) = self.0.get(known.flag) else {
+                continue;
+            };
+            let flag = format!("--{}", known.flag);
+            let value = value(known, text).map_err(|why| Fault::input(format!("{flag}: {why}")))?;
+            all.put(&flag, text, known.key, value);
+        }
+        Ok(())
+    }
+}
+
+/// A number in its key's unit.
+fn value(known: &Known, text: &str) -> Result<toml::Value, String> {
+    let none = |like: &str| format!("`{text}` is not {like}");
+    Ok(match known.of {
+        Quantity::Length(unit) => {
+            let per = if unit == "cm" { 10.0 } else { 1.0 };
+            (length_mm(text, unit)? / per).into()
+        }
+        Quantity::Weight => weight_kg(text)?.into(),
+        Quantity::Age => (age_months(text)? / 12.0).into(),
+        Quantity::Number(_) => {
+            let number = text.trim().parse::<f64>();
+            number.map_err(|_| none("a number"))?.into()
+        }
+        Quantity::Count => {
+            let count = text.trim().parse::<i64>();
+            count.map_err(|_| none("a whole number"))?.into()
+        }
+    })
+}
+
+impl FromArgMatches for Numbers {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Numbers, Error> {
+        let given = |known: &Known| Some((known.flag, matches.get_one::<String>(known.flag)?));
+        let given = KNOWN.iter().filter_map(given);
+        Ok(Numbers(
+            given.map(|(flag, text)| (flag, text.clone())).collect(),
+        ))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
+        self.0.append(&mut Numbers::from_arg_matches(matches)?.0);
+        Ok(())
+    }
+}
+
+impl Args for Numbers {
+    fn augment_args(command: Command) -> Command {
+        let arg = |known: &Known| {
+            let arg = Arg::new(known.flag).long(known.flag);
+            arg.value_name(known.value)
+                .help(known.about)
+                .allow_negative_numbers(true)
+        };
+        command.args(KNOWN.iter().map(arg))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Numbers::augment_args(command)
+    }
+}
