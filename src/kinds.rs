@@ -85,7 +85,7 @@ fn mesh_names(_: &[String]) -> Vec<String> {
         .to_vec()
 }
 
-/// What a girth tells beside its tape: along the contour, its interval and how wide that is, what repeats it, and whether it
+/// What a girth has beside its tape: along the contour, its interval and how wide that is, what repeats it, and whether it
 /// was refused (1) or given (0).
 const OF_GIRTH: [&str; 6] = [
     "contour",

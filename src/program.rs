@@ -121,7 +121,7 @@ fn with<A: Args>(own: Command, about: &'static str) -> Command {
     A::augment_args(own).about(about)
 }
 
-/// What was said, as a verb's arguments.
+/// What was given, as a verb's arguments.
 fn read<A: FromArgMatches>(stated: &ArgMatches) -> Result<A, Fault> {
     A::from_arg_matches(stated).map_err(Fault::input)
 }
@@ -151,7 +151,7 @@ pub fn program() -> &'static Program {
     &TAILOR
 }
 
-/// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
+/// Does what the arguments ask for. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
 /// 130 cancelled.
 pub fn main() -> ExitCode {
     command::main(&TAILOR)
@@ -171,7 +171,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_program_over_another_catalog_says_its_own_name() {
+    fn a_program_over_another_catalog_has_its_own_name() {
         static MINE: Catalog = Catalog {
             program: "my-tailor 0.1.0",
             ..CATALOG

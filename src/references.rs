@@ -1,4 +1,4 @@
-//! What the numbers of a sweep are held against on its plots: the truth, limits of a standard, what a survey allows.
+//! What the numbers of a sweep are compared with on its plots: the truth, limits of a standard, what a survey allows.
 
 use crate::repeat::allowed_mm;
 use crate::score::{iso_mm, true_tapes};

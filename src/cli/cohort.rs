@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// What came of a capture.
 pub(super) struct Row {
-    /// The folder or video, as it was said.
+    /// The folder or video, as it was given.
     pub(super) capture: String,
     out: String,
     came: Result<Came, String>,
@@ -46,7 +46,7 @@ impl Row {
 
     /// Of a capture that came to nothing.
     pub(super) fn failed(capture: &Path, out: &Path, fault: &Fault) -> Row {
-        // What to repeat stands on the screen; a table has one line a reason.
+        // What to repeat is on the screen; a table has one line a reason.
         let why = fault.text().lines().next().unwrap_or_default();
         Row {
             capture: capture.display().to_string(),

@@ -32,7 +32,7 @@ pub(crate) struct CompareArgs {
     /// differ; folders that `sweep --out` wrote are compared so, too
     #[arg(long, value_parser = clap::value_parser!(u32).range(2..=10_000))]
     replicate: Option<u32>,
-    /// With --replicate, metrics to compare, NODE.METRIC, separated by commas; else all that the pipeline's goal tells
+    /// With --replicate, metrics to compare, NODE.METRIC, separated by commas; else all that the pipeline's goal has
     #[arg(long, value_delimiter = ',', requires = "replicate")]
     tell: Vec<String>,
     /// Write compare.md, compare.json and compare.html into this folder

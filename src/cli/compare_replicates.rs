@@ -144,8 +144,8 @@ pub(super) fn of_folders(what: &[&String]) -> Option<Result<Against, Fault>> {
 
 impl Against {
     fn new(sides: Sides) -> Against {
-        let others = sides.iter().skip(1);
-        let pairs = others
+        let rest = sides.iter().skip(1);
+        let pairs = rest
             .map(|(_, reported)| paired(&sides[0].1, reported))
             .collect();
         Against { sides, pairs }

@@ -28,7 +28,7 @@ const WRITTEN: [(&[&str], &str, &str); 9] = [
 ];
 
 /// The folder for the results, and what the capture is called. Results of two captures never get
-/// into one folder unless somebody says so.
+/// into one folder unless somebody wants it.
 pub(super) fn place_of_results(
     capture: &Path,
     out: Option<&Path>,

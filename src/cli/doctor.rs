@@ -56,7 +56,7 @@ pub(super) struct Look {
     pub(super) tags: Arc<Tags>,
     /// Who is on the photos.
     people: Arc<People>,
-    /// Which files are the turn, where that was said.
+    /// Which files are the turn, where that was given.
     pub(super) images: Vec<String>,
     /// The photos that are in the folder, by their names within it.
     pub(super) files: Vec<String>,
@@ -66,7 +66,7 @@ pub(super) struct Look {
 ///
 /// # Errors
 ///
-/// What is said of the capture, or the folder, is wrong; or nothing can be seen in it.
+/// What is given of the capture, or the folder, is wrong; or nothing can be seen in it.
 #[cfg(feature = "serve")]
 pub(crate) fn seen(args: &Doctor, global: &GlobalArgs) -> Result<(Value, Vec<Message>), Fault> {
     let (recursive, video) = (args.recursive, args.video);
@@ -181,7 +181,7 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
     }
 }
 
-/// Whether a person turns before a camera that stands, and nothing tells of a disk.
+/// Whether a person turns before a fixed camera, and nothing is known of a disk.
 fn on_the_spot(look: &Look) -> bool {
     let rig = &look.photos.rig;
     let disk = rig.tagged() || rig.disk_diameter_mm.is_some();

@@ -1,4 +1,4 @@
-//! What is known of a capture, as flags: each is a key of `capture.toml`, said over the file.
+//! What is known of a capture, as flags: each is a key of `capture.toml`, given over the file.
 
 use super::length::length_mm;
 use super::mat_file::mat_file;
@@ -8,7 +8,7 @@ use clap::Args;
 use command::Fault;
 use std::path::PathBuf;
 
-/// What is known of the capture; each wins over what capture.toml says.
+/// What is known of the capture; each wins over capture.toml.
 #[derive(Args, Clone, Default)]
 #[command(next_help_heading = "What is known of the capture (over capture.toml)")]
 pub(crate) struct Facts {
@@ -64,12 +64,12 @@ pub(crate) struct Facts {
 }
 
 impl Facts {
-    /// Which files are the turn, where that is said.
+    /// Which files are the turn, where that is given.
     pub(super) fn images(&self) -> &[String] {
         &self.images
     }
 
-    /// What was said of the person under a key of `[subject]`, as TOML has it.
+    /// What was given of the person under a key of `[subject]`, as TOML has it.
     ///
     /// # Errors
     ///
@@ -78,7 +78,7 @@ impl Facts {
         self.given(&format!("subject.{key}"))
     }
 
-    /// What was said under a key, as TOML has it.
+    /// What was given under a key, as TOML has it.
     ///
     /// # Errors
     ///

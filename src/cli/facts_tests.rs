@@ -19,7 +19,7 @@ fn stated(flags: &str) -> Vec<Stated> {
         .unwrap_or_else(|fault| panic!("{}", fault.text()))
 }
 
-/// The keys that capture.toml knows in a table, as its reader tells them of one that it does not know.
+/// The keys that capture.toml knows in a table, as its reader names them beside one that it does not know.
 fn known(table: &str) -> Vec<String> {
     let mat = "mat = { tag_size_mm = 60, count = 12, ring_radius_mm = 187 }\n";
     let text = match table {

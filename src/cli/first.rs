@@ -1,5 +1,5 @@
-//! A first answer while the whole is on its way: as soon as the coarse surface is there, what `--fast` tells
-//! is told on the screen and written as `report.html`, which the whole report replaces.
+//! A first answer while the whole is on its way: as soon as the coarse surface is there, what `--fast` finds
+//! is printed and written as `report.html`, which the whole report replaces.
 
 use super::measure_args::Measure;
 use super::prepared::Prepared;
@@ -30,7 +30,7 @@ pub(super) struct First {
 /// What it takes to make a first answer.
 struct Answer {
     graph: Graph,
-    /// With a page that says that the whole did not come.
+    /// With a page on which the whole did not come.
     unfinished: Graph,
     /// Whether a page was written.
     written: AtomicBool,
@@ -45,8 +45,8 @@ struct Answer {
 }
 
 impl First {
-    /// Of a capture, by the pipeline that stops at the coarse surface: one whose page says that the whole follows, and
-    /// one whose page says that it did not.
+    /// Of a capture, by the pipeline that stops at the coarse surface: one on whose page the whole follows, and
+    /// one on whose page it did not.
     pub(super) fn new(
         mut graphs: [Graph; 2],
         ready: &Prepared,
@@ -87,12 +87,12 @@ impl First {
     }
 
     /// Waits for a first answer that is under way. Where the whole did not come, one that is under way is stopped,
-    /// and a page that was written says so.
+    /// and a page that was written names it.
     pub(super) fn end(&self, whole: bool) {
         let answer = &self.answer;
         answer.stop.store(!whole, Ordering::Relaxed);
         let thread = self.thread.lock().expect("bug: poisoned").take();
-        // A thread that panicked has said so, and the whole answer does not need it.
+        // A thread that panicked has reported it, and the whole answer does not need it.
         thread.map(JoinHandle::join);
         if !whole && answer.written.load(Ordering::Relaxed) {
             answer.stop.store(false, Ordering::Relaxed);
@@ -105,7 +105,7 @@ impl First {
 
 impl Watch for First {
     fn done(&self, node: &str, done: &Done) {
-        // What was found was told when it was made.
+        // What was found was printed when it was made.
         if node != COARSE || done.status != Status::Executed {
             return;
         }
@@ -121,7 +121,7 @@ struct Nobody;
 impl Watch for Nobody {}
 
 impl Answer {
-    /// Makes, tells and writes it. A surface that tells no girth yet tells none: the whole way says why.
+    /// Makes, prints and writes it. A surface without a girth yet has none: the whole way reports why.
     fn make(&self) {
         let graph = &self.graph;
         let Some(outcome) = self.run(graph, "girths") else {
@@ -150,7 +150,7 @@ impl Answer {
         run_unrecorded(graph, folders, &wanted, options, &Nobody, &self.stop).ok()
     }
 
-    /// Writes the page. What cannot be written now is said when the whole is to be.
+    /// Writes the page. What cannot be written now is reported when the whole is to be.
     fn write(&self, graph: &Graph, outcome: &Outcome) -> Option<()> {
         let report = get::<Document>(graph, outcome, "report")?;
         let ran = Ran::of(graph, outcome, &self.folders);

@@ -30,7 +30,7 @@ pub(super) struct Looked {
     pub(super) plate_there: bool,
     /// How many tags the mat has that is known of, as it was given; empty where that was not.
     pub(super) mat: Option<String>,
-    /// What follows from the folder, as if it were said.
+    /// What follows from the folder, as if it were given.
     pub(super) more: Vec<Stated>,
     /// What the user should know.
     pub(super) warnings: Vec<Message>,
@@ -71,7 +71,7 @@ pub(super) fn look(
         ))
     })?;
     let text = std::fs::read_to_string(capture.join("capture.toml")).unwrap_or_default();
-    // What is wrong with it, the stage that reads it tells.
+    // The stage that reads it reports what is wrong with it.
     let file: toml::Table = text.parse().unwrap_or_default();
     let source = Source::of(capture, &names, video)?;
     let mut looked = Looked {
@@ -176,7 +176,7 @@ pub(super) fn widen(graph: &mut Graph, looked: &Looked) {
     }
 }
 
-/// What `images` says: the flag, else the file.
+/// What `images` has: the flag, else the file.
 fn wanted(stated: &[String], file: &toml::Table) -> Vec<String> {
     if !stated.is_empty() {
         return stated.to_vec();
@@ -199,7 +199,7 @@ fn named_plate(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Faul
     Ok(stated.or(file.map(str::to_owned)))
 }
 
-/// How many tags the mat has, the flag before the file; empty where that is not said.
+/// How many tags the mat has, the flag before the file; empty where that is not given.
 fn mat(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
     let mat = file.get("mat");
     let count = mat.and_then(|mat| mat.get("count"));

@@ -1,4 +1,4 @@
-//! `tailor init`: a commented `capture.toml` from what the photos say.
+//! `tailor init`: a commented `capture.toml` from what the photos show.
 
 use super::doctor::{Look, look};
 use super::facts::Facts;
@@ -66,7 +66,7 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
     Ok(())
 }
 
-/// A key: said where its value is known, else a comment with what it may look like.
+/// A key: given where its value is known, else a comment with what it may look like.
 fn line(to: &mut String, key: &str, known: Option<String>, like: &str, note: &str) {
     let stated = match known {
         Some(value) => format!("{key} = {value}"),

@@ -1,4 +1,4 @@
-//! What `tailor measure` says while it runs: what it found, then the part that is on its way; warnings wait
+//! What `tailor measure` prints while it runs: what it found, then the part that is on its way; warnings wait
 //! for the end.
 
 use super::folder::Looked;
@@ -44,7 +44,7 @@ impl Live {
         self.warnings.lock().expect("bug: poisoned").clone()
     }
 
-    /// What was found, by what the node that reads the photos tells.
+    /// What was found, by what the node that reads the photos reports.
     fn found(&self, done: &Done) -> Option<String> {
         if let Source::Scan(..) = self.source {
             return Some(format!("{}: {}", self.name, self.words.text("screen-scan")));

@@ -15,10 +15,10 @@ pub(crate) struct MatArgs {
     /// The disk's diameter in millimetres
     #[arg(long)]
     diameter_mm: f64,
-    /// Edge length of a tag's black square in millimetres; one that suits the disk if not said
+    /// Edge length of a tag's black square in millimetres; one that suits the disk if not given
     #[arg(long)]
     tag_mm: Option<f64>,
-    /// How many tags; as many as fit if not said
+    /// How many tags; as many as fit if not given
     #[arg(long)]
     count: Option<u32>,
     /// The first tag's number
@@ -28,16 +28,16 @@ pub(crate) struct MatArgs {
     /// a mat leaves open of the lens (docs/cameras.md)
     #[arg(long)]
     rim_mm: Option<f64>,
-    /// Edge length of a rim tag's black square in millimetres; as tall as the rim allows if not said
+    /// Edge length of a rim tag's black square in millimetres; as tall as the rim allows if not given
     #[arg(long, requires = "rim_mm")]
     rim_tag_mm: Option<f64>,
-    /// How many tags go around the rim; as many as fit, at most 48, if not said
+    /// How many tags go around the rim; as many as fit, at most 48, if not given
     #[arg(long, requires = "rim_mm")]
     rim_count: Option<u32>,
     /// The paper of a PDF: a4, a3, letter or whole (one large page)
     #[arg(long, default_value = "a4")]
     paper: String,
-    /// The file; its ending says what it is, .pdf or .svg
+    /// The file; by its ending a .pdf or .svg
     #[arg(short)]
     o: PathBuf,
 }
@@ -49,7 +49,7 @@ fn beside(print: &Path) -> PathBuf {
     name.into()
 }
 
-/// Hears what the stage tells of the mat.
+/// Hears what the stage reports of the mat.
 #[derive(Default)]
 struct Heard(Mutex<Vec<Metric>>);
 
@@ -70,7 +70,7 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
         )));
     }
     let (document, metrics) = laid_out(args, ending)?;
-    // What capture.toml says of it, as the print itself tells.
+    // What capture.toml has of it, as the print itself has it.
     let toml = beside(&args.o);
     let facts = super::mat_file::text(&document.bytes).expect("bug: a mat without facts");
     for (path, bytes) in [
@@ -127,7 +127,7 @@ fn params(args: &MatArgs, ending: String) -> BTreeMap<String, Value> {
     stated
 }
 
-/// The mat as the stage lays it out, and what it tells of it.
+/// The mat as the stage lays it out, and what it reports of it.
 fn laid_out(args: &MatArgs, ending: String) -> Result<(Arc<Document>, Vec<Metric>), Fault> {
     let stage = catalog::find("pose.mat").expect("bug: no stage lays out mats");
     let params = stage.check(&params(args, ending)).map_err(|mistakes| {

@@ -1,4 +1,4 @@
-//! The marker mat that a file of `tailor mat` tells of: the print itself, or the TOML beside it.
+//! The marker mat that a file of `tailor mat` describes: the print itself, or the TOML beside it.
 
 use command::Fault;
 use std::path::Path;

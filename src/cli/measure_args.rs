@@ -38,7 +38,7 @@ pub(super) enum Up {
     Z,
 }
 
-/// A word of the command line as a param has it; `auto` where none was said.
+/// A word of the command line as a param has it; `auto` where none was given.
 fn word(stated: Option<&impl clap::ValueEnum>) -> String {
     let value = stated.and_then(clap::ValueEnum::to_possible_value);
     value.map_or("auto".to_owned(), |value| value.get_name().to_owned())
@@ -50,7 +50,7 @@ pub(crate) struct Measure {
     /// Folders with the photos or the video of one turn each, videos, or scans (PLY, OBJ, STL, OFF, GLB, 3MF); masks in a folder's `masks` are taken instead of own ones
     #[arg(required = true)]
     pub(super) folders: Vec<PathBuf>,
-    /// Where to write; here, the folder's name with `-out`, if not said. Of several folders each gets its own in it
+    /// Where to write; here, the folder's name with `-out`, if not given. Of several folders each gets its own in it
     #[arg(long)]
     pub(super) out: Option<PathBuf>,
     /// Remove from that folder what an earlier run wrote there and this one does not
@@ -77,7 +77,7 @@ pub(crate) struct Measure {
     /// What the screen and the report show lengths in; files stay in centimetres
     #[arg(long, value_enum, default_value = "cm")]
     pub(super) unit: Shown,
-    /// The language of the screen: en or de; that of the environment (LC_ALL, LC_MESSAGES, LANG) if not said
+    /// The language of the screen: en or de; that of the environment (LC_ALL, LC_MESSAGES, LANG) if not given
     #[arg(long, value_name = "LANGUAGE", value_parser = ["en", "de"])]
     pub(super) lang: Option<String>,
     /// A line for each node of the pipeline while it runs

@@ -12,7 +12,7 @@ use command::{Fault, GlobalArgs, whose};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// `tailor measure`: each folder on its own; one that fails does not stop the others.
+/// `tailor measure`: each folder on its own; one that fails does not stop the rest.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let stated = measure.facts.stated()?;
     if measure.profile.is_some() && measure.folders.len() > 1 {
@@ -76,7 +76,7 @@ fn many(measure: &Measure, stated: &[Stated], global: &GlobalArgs) -> Result<(),
     }
     match failed.as_slice() {
         [] => Ok(()),
-        // With JSON the answers have said it.
+        // With JSON the answers have it.
         _ if global.json => Err(Fault::stage("")),
         some => Err(Fault::stage(format!(
             "{} of {} captures came to nothing: {}",
@@ -121,7 +121,7 @@ fn places(measure: &Measure) -> Result<Vec<PathBuf>, Fault> {
     let mut places: Vec<PathBuf> = Vec::new();
     for capture in &measure.folders {
         let (alone, name) = place_of_results(capture, None).or_else(|fault| {
-            // Somebody says where to write: what is beside the folder does not matter.
+            // The place is given: what is beside the folder does not matter.
             let out = measure.out.as_deref().ok_or(fault)?;
             let whole = capture.canonicalize().unwrap_or_else(|_| capture.clone());
             Ok((out.to_owned(), called(&whole)))

@@ -30,8 +30,8 @@ const FAST: &str = "fast";
 /// The folder of a capture that holds masks.
 const MASKS: &str = "masks";
 
-/// The pipeline for a capture with what is said of it, and its inputs: the whole, or a first answer that
-/// says of the whole that it is `followed` by it or that it was left `unfinished`.
+/// The pipeline for a capture with what is given of it, and its inputs: the whole, or a first answer that
+/// is `followed` by the whole, or that the whole left `unfinished`.
 fn pipeline(
     measure: &Measure,
     source: &Source,
@@ -156,7 +156,7 @@ pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, F
 ///
 /// # Errors
 ///
-/// What is said of it, or the folder, is wrong.
+/// What is given of it, or the folder, is wrong.
 #[cfg(feature = "serve")]
 pub(crate) fn prepared_one(measure: &Measure) -> Result<Prepared, Fault> {
     let stated = measure.facts.stated()?;

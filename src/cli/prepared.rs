@@ -1,4 +1,4 @@
-//! A capture between what is said of it and its results: what will run, and where results go.
+//! A capture between what is given of it and its results: what will run, and where results go.
 
 use super::delivered::write;
 use crate::delivery::Delivery;
@@ -27,7 +27,7 @@ pub(crate) struct Prepared {
 }
 
 impl Prepared {
-    /// What the folder of results says of whose they are.
+    /// Whose the results are, as their folder has it.
     pub(super) fn whose(&self) -> String {
         whose(&[("photos".to_owned(), self.capture.clone())])
     }

@@ -47,14 +47,14 @@ fn escaped(text: &str) -> String {
         .replace('>', "&gt;")
 }
 
-/// What the stages warned of, without what the table says anyway.
+/// What the stages warned of, without what the table has anyway.
 pub(super) fn warnings(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<Message> {
     let all = by_node(ran, girths).into_iter();
     all.map(|(node, warning)| warning.from_where(&node))
         .collect()
 }
 
-/// The same without the nodes, which say nothing to people who know none of them.
+/// The same without the nodes, which mean nothing to people who know none of them.
 pub(super) fn sentences(ran: &Ran<'_>, girths: &Girths) -> Vec<Message> {
     let all = by_node(ran, Some(girths)).into_iter();
     all.map(|(_, warning)| warning).collect()
@@ -141,7 +141,7 @@ fn table(record: &Value) -> String {
 #[cfg(test)]
 mod tests {
     #[test]
-    fn what_two_nodes_warn_of_in_the_same_words_is_told_once() {
+    fn what_two_nodes_warn_of_in_the_same_words_is_reported_once() {
         let pair = |node: &str, warning: &str| (node.to_owned(), warning.into());
         let (first, again) = (pair("placed", "no length"), pair("cameras", "no length"));
         let other = pair("cameras", "few features");

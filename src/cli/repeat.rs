@@ -14,10 +14,10 @@ pub(crate) struct Repeating {
     /// their girths.json, or captures with such a folder beside them
     #[arg(required = true)]
     captures: Vec<PathBuf>,
-    /// What tells whose they are
+    /// By what it is known whose they are
     #[arg(long, value_enum, default_value = "name")]
     by: By,
-    /// Take each person's girths at the levels of the first capture, carried to the others as `follow` does: how near changes
+    /// Take each person's girths at the levels of the first capture, carried to the rest as `follow` does: how near changes
     /// come, where levels are not found anew
     #[arg(long)]
     same_level: bool,

@@ -175,7 +175,7 @@ fn called(words: Words, girth: &Girth) -> String {
     }
 }
 
-/// A name as it stands within a line: only German begins nouns with a capital.
+/// A name as it is written within a line: only German begins nouns with a capital.
 fn lower(words: Words, name: String) -> String {
     let mut letters = name.chars();
     match (words.language, letters.next()) {

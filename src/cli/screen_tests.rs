@@ -1,4 +1,4 @@
-//! Lines fit, and say each thing once.
+//! Lines fit, and have each thing once.
 
 use super::*;
 use shape::{GirthId, Length, Refusal};
@@ -36,7 +36,7 @@ fn long_lines_are_broken_between_words_and_lose_none() {
 }
 
 #[test]
-fn one_reason_is_told_once_for_all_that_it_is_the_reason_of() {
+fn one_reason_is_printed_once_for_all_that_it_is_the_reason_of() {
     let missing = shape::Missing::because;
     let legs = "the surface shows no two legs";
     let girths = Girths {
@@ -55,7 +55,7 @@ fn one_reason_is_told_once_for_all_that_it_is_the_reason_of() {
 }
 
 #[test]
-fn what_has_no_scale_says_so() {
+fn what_has_no_scale_is_marked() {
     let mut cameras = Cameras {
         views: [].into_iter().collect(),
         scale: Scale::Nothing,

@@ -8,7 +8,7 @@ use command::Fault;
 /// The node that reads the photos, and its param that takes facts.
 const PLACE: &str = "photos.facts";
 
-/// The node that reads who is measured, and its param; what is said there is in no key of the photos.
+/// The node that reads who is measured, and its param; what is given there is in no key of the photos.
 const PERSON: &str = "person.facts";
 
 /// The keys of `capture.toml` that only that node reads.
@@ -23,18 +23,18 @@ pub(super) fn place(key: &str) -> String {
     format!("{node}.{key}")
 }
 
-/// A flag as it was said, and the change of the pipeline that it is.
+/// A flag as it was given, and the change of the pipeline that it is.
 #[derive(Clone)]
 pub(super) struct Stated {
     pub(super) flag: String,
     pub(super) set: String,
 }
 
-/// All that was said.
+/// All that was given.
 pub(super) struct All(pub(super) Vec<Stated>);
 
 impl All {
-    /// A flag with what was said, and the key of capture.toml that it is.
+    /// A flag with its value, and the key of capture.toml that it is.
     pub(super) fn put(
         &mut self,
         flag: &str,
@@ -49,8 +49,8 @@ impl All {
     }
 }
 
-/// A built-in pipeline, or `over`, another one, as if it extended that, with what is said of the capture, and
-/// over it what the user sets himself; a flag is named as it was said.
+/// A built-in pipeline, or `over`, another one, as if it extended that, with what is given of the capture, and
+/// over it what the user sets himself; a flag is named as it was given.
 pub(super) fn opened(
     name: &str,
     over: Option<&str>,
@@ -69,7 +69,8 @@ pub(super) fn opened(
     };
     let graph = pipeline.and_then(|p| p.graph(&overrides));
     graph.map_err(|mistakes| {
-        let as_said = |text: String, s: &Stated| text.replace(&format!("--set {}", s.set), &s.flag);
-        Fault::input(stated.iter().fold(mistakes.to_string(), as_said))
+        let as_given =
+            |text: String, s: &Stated| text.replace(&format!("--set {}", s.set), &s.flag);
+        Fault::input(stated.iter().fold(mistakes.to_string(), as_given))
     })
 }

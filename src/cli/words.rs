@@ -8,7 +8,7 @@ use std::ffi::OsString;
 ///
 /// # Errors
 ///
-/// What `clap` says of them.
+/// What `clap` reports of them.
 pub(crate) fn arguments<A: Args>(words: Vec<OsString>) -> Result<A, Fault> {
     let command = Command::new("tailor").no_binary_name(true);
     let command = A::augment_args(command).disable_help_flag(true);

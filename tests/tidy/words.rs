@@ -18,7 +18,7 @@ const COUNTS: [(&str, usize); 9] = [
     ("docs", 4),
     ("engine", 698),
     ("python", 9),
-    ("src", 79),
+    ("src", 13),
     ("src/words/*.ftl", 15),
     ("stages", 934),
     ("study", 1),
