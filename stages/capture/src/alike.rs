@@ -43,7 +43,7 @@ pub(crate) fn one_size(photos: &[Photo], plate: Option<&Photo>) -> Result<(), Ca
     })
 }
 
-/// So many photos are named, more are counted.
+/// So many photos are named, more are counted (structural: length of a message).
 const SHOWN: usize = 4;
 
 /// What speaks against photos being one turn of one camera, in order.

@@ -2,7 +2,7 @@
 
 use shape::{Gray, Rgb};
 
-/// Small pictures are about so many pixels across. \[px\]
+/// Small pictures are about so many pixels across (structural: size of a small picture). \[px\]
 const ACROSS: usize = 96;
 /// A pixel that changes by less than this over the photos does not move. \[levels\]
 const STILL: f32 = 9.0;

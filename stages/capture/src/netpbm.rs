@@ -15,7 +15,7 @@ pub(crate) struct Netpbm {
     pub(crate) data: Vec<u8>,
 }
 
-/// Numbers of a head, sides and levels, are at most this.
+/// Numbers of a head, sides and levels, are at most this (structural: two bytes).
 const LARGEST: usize = 65_535;
 
 /// The next picture; none at the end. Of 8 bits a value.

@@ -15,7 +15,7 @@ stage::messages! {
     TAKEN_AS = "warn-scan": "{name} is taken as {unit} with {axis} up, {height:.0 cm} tall: if that is wrong, give --unit-of-file and --up";
 }
 
-/// Units that are recognised, their millimetres and what they are called.
+/// Units that are recognised, their millimetres and what they are called (structural).
 const UNITS: [(Unit, f64, &str); 4] = [
     (Unit::Mm, 1.0, "mm"),
     (Unit::Cm, 10.0, "cm"),

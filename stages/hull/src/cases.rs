@@ -9,7 +9,7 @@
 
 /// Corner `i` of a cube is at x = bit 0, y = bit 1, z = bit 2 of `i`.
 ///
-/// Edge `axis * 4 + j`: along x, y or z, from the corner whose other two bits are those of `j`.
+/// Edge `axis * 4 + j`: along x, y or z, from the corner whose other two bits are those of `j` (structural).
 pub const EDGES: [[usize; 2]; 12] = [
     [0, 1],
     [2, 3],
@@ -25,7 +25,7 @@ pub const EDGES: [[usize; 2]; 12] = [
     [3, 7],
 ];
 
-/// Faces, corners counter-clockwise seen from outside.
+/// Faces, corners counter-clockwise seen from outside (structural).
 const FACES: [[usize; 4]; 6] = [
     [0, 4, 6, 2],
     [1, 3, 7, 5],

@@ -7,9 +7,9 @@
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Cells along a brick's side.
+/// Cells along a brick's side (structural: speed alone).
 pub const BRICK: usize = 16;
-/// Corners along a brick's side.
+/// Corners along a brick's side (structural).
 pub const SIDE: usize = BRICK + 1;
 
 /// A lattice of cubes.
@@ -60,7 +60,7 @@ pub type Bricks = Vec<Option<Vec<f32>>>;
 /// How far a cube's corners are from its centre, in halves of its side. The distance to a silhouette's
 /// border shrinks slower than space does, but depth and lens distortion bend it a little.
 const STEEP: f64 = 1.732_050_8 * 1.15;
-/// Cells along the side of a block, the smallest cube that is looked into or passed over.
+/// Cells along the side of a block, the smallest cube that is looked into or passed over (structural: speed alone).
 const BLOCK: usize = 4;
 
 /// The corners of a brick. Where all cubes of [`BLOCK`] cells around a corner are far from the surface

@@ -2,7 +2,7 @@
 
 use shape::{Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, rgb_to_png};
 
-/// Longer side of the pictures. \[px\]
+/// Longer side of the pictures (structural: size of a picture). \[px\]
 const LONGER: usize = 1200;
 
 /// A photo reduced by a whole factor and dimmed, so that marks are easy to see; and the factor.

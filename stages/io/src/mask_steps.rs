@@ -6,11 +6,11 @@ use shape::{
 };
 use std::path::Path;
 
-/// Where nothing is known of the scene. \[sRGB\]
+/// Where nothing is known of the scene (structural: a colour). \[sRGB\]
 const UNKNOWN: [u8; 3] = [255, 0, 255];
 /// -ln p(pixel | some body): the evidence of a colour that the body has not. \[nats\]
 const ANY_BODY: f32 = 17.8;
-/// Evidence from which on a pixel's shade is full. \[nats\]
+/// Evidence from which on a pixel's shade is full (structural: a scale of shades). \[nats\]
 const FULL: f32 = 12.0;
 
 /// Files: names and bytes.

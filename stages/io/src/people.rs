@@ -5,7 +5,7 @@ use nalgebra::Point2;
 use serde_json::{Value, json};
 use shape::{BodyPart, Found, Joint, LostParts, People, PhotoError, PhotoId, Photos, Rgb};
 
-/// Which joints are drawn as one line, by their places in [`Found::JOINTS`].
+/// Which joints are drawn as one line, by their places in [`Found::JOINTS`] (structural).
 const BONES: [[usize; 2]; 21] = [
     [11, 12],
     [23, 24],
@@ -29,10 +29,10 @@ const BONES: [[usize; 2]; 21] = [
     [0, 8],
     [9, 10],
 ];
-/// The one who is followed, and anybody else. \[sRGB\]
+/// The one who is followed, and anybody else (structural: colours). \[sRGB\]
 const FOLLOWED: [u8; 3] = [80, 230, 60];
 const ANOTHER: [u8; 3] = [255, 150, 40];
-/// The left side's bones, and the right side's. \[sRGB\]
+/// The left side's bones, and the right side's (structural: colours). \[sRGB\]
 const LEFT: [u8; 3] = [90, 200, 255];
 const RIGHT: [u8; 3] = [255, 210, 60];
 

@@ -4,17 +4,17 @@ use crate::lettering::{text_size, write_on};
 use crate::odd_masks::odd;
 use shape::{Mask, Masks, PhotoError, Photos, Rgb};
 
-/// Width of a photo on the sheet. \[px\]
+/// Width of a photo on the sheet (structural: layout). \[px\]
 const TILE: usize = 320;
-/// Photos side by side.
+/// Photos side by side (structural: layout).
 const ACROSS: usize = 6;
-/// Pixels along the side of a letter's dot.
+/// Pixels along the side of a letter's dot (structural: layout).
 const DOT: usize = 3;
-/// Width of the frame around a photo with something odd. \[px\]
+/// Width of the frame around a photo with something odd (structural: layout). \[px\]
 const FRAME: usize = 5;
-/// What is odd. \[sRGB\]
+/// What is odd (structural: a colour). \[sRGB\]
 const ODD: [u8; 3] = [255, 70, 70];
-/// The mask's border. \[sRGB\]
+/// The mask's border (structural: a colour). \[sRGB\]
 const LINE: [u8; 3] = [255, 64, 32];
 
 /// The photos in turning order, six a row, 320 px wide each: what the mask leaves out is darkened,

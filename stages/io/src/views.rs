@@ -4,11 +4,11 @@ use crate::lettering::write_on;
 use nalgebra::Vector3;
 use shape::{Image, Mesh, Rgb, fill_triangle};
 
-/// Height of each view. \[px\]
+/// Height of each view (structural: layout). \[px\]
 const TALL: usize = 900;
-/// Free space around it. \[px\]
+/// Free space around it (structural: layout). \[px\]
 const MARGIN: usize = 24;
-/// What is behind the surface, and the surface seen head on. \[sRGB\]
+/// What is behind the surface, and the surface seen head on (structural: colours). \[sRGB\]
 const BACK: [u8; 3] = [236, 236, 238];
 const SKIN: [f64; 3] = [214.0, 190.0, 168.0];
 

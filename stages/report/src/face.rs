@@ -7,7 +7,7 @@ use shape::{Camera, Landmarks, Mesh, Part, Rgb, Textured};
 const TOP: f64 = 0.3;
 /// What is so near the head belongs to it. \[mm\]
 const MARGIN_MM: f64 = 15.0;
-/// What is painted over.
+/// What is painted over (structural: a colour).
 const GRAY: [u8; 3] = [128; 3];
 
 /// Points of the head, on the surface. \[mm\] Empty only for an empty surface.

@@ -15,9 +15,9 @@ stage::messages! {
     NO_FACE = "warn-no-face": "left out, for its face could not be placed";
 }
 
-/// What a page may weigh. \[MB\]
+/// What a page may weigh (structural: a bound of a file). \[MB\]
 const MOST_MB: f64 = 15.0;
-/// So many photos are shown at full height; more are shown smaller.
+/// So many photos are shown at full height; more are shown smaller (structural: layout).
 const PHOTOS_AT_FULL_HEIGHT: f64 = 40.0;
 
 stage::params! {

@@ -3,13 +3,13 @@
 use nalgebra::{Point2, Vector2, Vector3};
 use shape::{Adjacency, Camera, Mask, Mesh, Rgb};
 
-/// Height of the pictures that give what hides what. \[px\]
+/// Height of the pictures that give what hides what (structural: size of a picture). \[px\]
 const DEPTH_PX: u32 = 800;
 /// Views flatter than this (cosine) show nothing.
 const FLATTEST: f64 = 0.2;
 /// How much straighter views count more: high, for means of many views are blurred.
 const SHARPNESS: i32 = 8;
-/// What no photo shows.
+/// What no photo shows (structural: a colour).
 const UNSEEN: [f64; 3] = [204.0, 189.0, 173.0];
 
 /// The sums of colours at each vertex.

@@ -10,10 +10,10 @@ use std::fmt::Write;
 /// A girth that changes by more than this from one height to the next jumps.
 const JUMP: f64 = 0.06;
 
-/// An axis has no more ticks.
+/// An axis has no more ticks (structural: layout).
 const TICKS: usize = 7;
 
-/// Width of the column that holds names of girths, and height of a line of it.
+/// Width of the column that holds names of girths, and height of a line of it (structural: layout).
 const NAMES: f64 = 152.0;
 const LINE: f64 = 13.0;
 

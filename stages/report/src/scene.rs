@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use shape::{Camera, Girths, Mesh, Rgb, Textured, rgb_to_jpeg};
 use std::collections::BTreeMap;
 
-/// Finest step of a coordinate. \[mm\]
+/// Finest step of a coordinate (structural: precision of a file). \[mm\]
 const STEP_MM: f32 = 0.1;
 
 /// A mesh for the viewer, with the colours of its vertices if it has some; `exact` as [`packed`] has it.

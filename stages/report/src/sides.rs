@@ -9,14 +9,14 @@ use nalgebra::Vector3;
 use shape::{Girth, Girths, Image, Mesh, Rgb, fill_triangle, rgb_to_jpeg};
 use std::fmt::Write;
 
-/// Height of the pictures, and free space around the body. \[px\]
+/// Height of the pictures, and free space around the body (structural: layout). \[px\]
 const TALL: usize = 760;
 const MARGIN: usize = 20;
-/// Width of the column that holds the names of tapes. \[px\]
+/// Width of the column that holds the names of tapes (structural: layout). \[px\]
 const NAMES: f64 = 190.0;
-/// Height of a line of it. \[px\]
+/// Height of a line of it (structural: layout). \[px\]
 const LINE: f64 = 19.0;
-/// What is behind the surface, and the surface seen head on. \[sRGB\]
+/// What is behind the surface, and the surface seen head on (structural: colours). \[sRGB\]
 const BACK: [u8; 3] = [250, 250, 250];
 const SKIN: [f64; 3] = [206.0, 192.0, 180.0];
 

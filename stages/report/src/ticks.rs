@@ -15,7 +15,7 @@ pub(crate) fn ticks(low: f64, high: f64, most: usize) -> (Vec<f64>, usize) {
     (vec![], 0)
 }
 
-/// Powers of ten that steps may have.
+/// Powers of ten that steps may have (structural).
 const FINEST: i32 = -6;
 const LARGEST: i32 = 9;
 

@@ -1,6 +1,6 @@
 //! Focal lengths as if on 36 × 24 mm film, and in pixels.
 
-/// Diagonal of 36 × 24 mm film. \[mm\]
+/// Diagonal of 36 × 24 mm film (derived: √(36² + 24²)). \[mm\]
 const FILM_DIAGONAL_MM: f64 = 43.266_615_305_567_87;
 
 /// The focal length in pixels of a photo of this size that equals `mm` on film: the angle across

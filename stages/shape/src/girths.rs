@@ -135,7 +135,7 @@ pub struct Girths {
     pub profile: Profile,
 }
 
-/// 18 years. \[months\]
+/// 18 years (derived: 12 · 18). \[months\]
 const ADULT_MONTHS: f64 = 216.0;
 
 /// Three standard deviations below the median of women of 19 years, 163.15 · (1 − 3 · 0.04009) cm, the least of the

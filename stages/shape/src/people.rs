@@ -6,7 +6,7 @@ use nalgebra::Point2;
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
-/// Steps of a nat in which log-odds are kept.
+/// Steps of a nat in which log-odds are kept (structural: a byte holds ± 8 nats).
 const STEPS: f32 = 16.0;
 
 /// A joint, or a mark of face, hand or foot.

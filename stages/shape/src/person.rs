@@ -36,7 +36,7 @@ pub struct Person {
     pub age_months: Option<f64>,
 }
 
-/// Days of a month on average: 365.25 / 12, as the WHO's programs count.
+/// Days of a month on average: 365.25 / 12, as the WHO's programs count (derived).
 const DAYS: f64 = 30.4375;
 
 impl Person {

@@ -15,7 +15,7 @@ const STEPS: usize = 12;
 const SMALL: f64 = 0.002;
 /// Share of the pixels whose residuals give the noise: at least so many do not move.
 const QUIET: f64 = 0.4;
-/// Tukey's bound in standard deviations.
+/// Tukey's bound in standard deviations (Beaton and Tukey 1974, for 95 % efficiency).
 const BOUND: f64 = 4.685;
 /// Least standard deviation of a pixel. \[levels\]
 const LEAST_NOISE: f64 = 0.3;

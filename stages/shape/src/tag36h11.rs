@@ -2,6 +2,7 @@
 //! BSD-2-Clause, from AprilTag 3.
 
 /// The place of each bit in the tag's 8×8 modules, from the most significant on: column, row.
+/// (Structural: the family's layout.)
 const PLACES: [(usize, usize); 36] = [
     (1, 1),
     (2, 1),
@@ -41,7 +42,7 @@ const PLACES: [(usize, usize); 36] = [
     (3, 4),
 ];
 
-/// How many tags the family has.
+/// How many tags the family has (structural: the family's).
 pub const TAGS: u32 = 587;
 
 /// Whether each of a tag's 8×8 modules is white, row by row from its top left as printed: upright as

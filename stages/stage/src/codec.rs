@@ -5,7 +5,7 @@
 
 use serde::{Serialize, de::DeserializeOwned};
 
-/// No metadata of ours comes near; a hostile length fails here instead of allocating.
+/// No metadata of ours comes near; a hostile length fails here instead of allocating (structural: a bound of memory).
 const LIMIT: usize = 256 << 20;
 
 /// Bytes that are no artifact of the wanted kind; the text names why.

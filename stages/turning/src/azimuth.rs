@@ -4,7 +4,7 @@
 use crate::joints::Sights;
 use std::f64::consts::TAU;
 
-/// Steps around in which azimuths are looked for.
+/// Steps around in which azimuths are looked for (structural: 3°, refined afterwards).
 const AROUND: usize = 120;
 
 /// Pairs of joints by their places in [`shape::Found::JOINTS`], and how the second is from the first in a body that

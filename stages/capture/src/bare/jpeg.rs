@@ -5,16 +5,16 @@ use super::exif_kept::kept;
 /// Before EXIF in its segment.
 const EXIF: &[u8] = b"Exif\0\0";
 
-/// Before a colour profile in its segment.
+/// Before a colour profile in its segment (structural: the file's form).
 const PROFILE: &[u8] = b"ICC_PROFILE\0";
 
 /// Before Adobe's word on the colours, which decoders heed.
 const ADOBE: &[u8] = b"Adobe";
 
-/// Before the version and density of JFIF.
+/// Before the version and density of JFIF (structural: the file's form).
 const JFIF: &[u8] = b"JFIF\0";
 
-/// The bytes of JFIF's segment without a preview. \[bytes\]
+/// The bytes of JFIF's segment without a preview (structural: the file's form). \[bytes\]
 const JFIF_BYTES: usize = 14;
 
 /// The file without what is no picture; none if it cannot be parsed.

@@ -2,7 +2,7 @@
 
 use super::exif_kept::kept;
 
-/// What a PNG begins with.
+/// What a PNG begins with (structural: the file's form).
 pub(super) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// Chunks that define how the picture looks.

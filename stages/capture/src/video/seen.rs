@@ -2,7 +2,7 @@
 
 use crate::netpbm::Netpbm;
 
-/// Small pictures are about so many pixels on the longer side. \[px\]
+/// Small pictures are about so many pixels on the longer side (structural: size of a small picture). \[px\]
 const ACROSS: usize = 96;
 /// Sharpness is taken by cells of so many small pixels on a side. \[px\]
 const CELL: usize = 4;

@@ -2,7 +2,7 @@
 
 use shape::Intrinsics;
 
-/// Unknowns of the lens: focal length, principal point x and y, k1, k2.
+/// Unknowns of the lens: focal length, principal point x and y, k1, k2 (structural).
 pub const LENS: usize = 5;
 
 /// A belief about the lens: mean and standard deviation of each of its unknowns.

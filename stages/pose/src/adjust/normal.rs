@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix2x3, Matrix3, SMatrix, Vector2, Vector3};
 
-/// Most unknowns side by side: rotation, translation and zoom of a photo.
+/// Most unknowns side by side: rotation, translation and zoom of a photo (structural: 3 + 3 + 1).
 const WIDEST: usize = 7;
 /// Added to the diagonal of a point's own block, so that a point seen once has an inverse.
 const POINT_FLOOR: f64 = 1e-15;

@@ -8,9 +8,9 @@
 use nalgebra::{Matrix3xX, Point3, Vector2};
 use shape::{Camera, Rim};
 
-/// Open numbers that all tags share: radius \[mm\], middle x and y \[mm\], height over width less one.
+/// Open numbers that all tags share: radius \[mm\], middle x and y \[mm\], height over width less one (structural).
 pub(crate) const SHARED: usize = 4;
-/// Open numbers of each tag: along the rim \[mm\], down \[mm\].
+/// Open numbers of each tag: along the rim \[mm\], down \[mm\] (structural).
 const OWN: usize = 2;
 
 /// What is believed of the open numbers: standard deviations.

@@ -34,7 +34,7 @@ pub(crate) fn focals(photos: &Photos, lens: &Intrinsics) -> Vec<f64> {
     [0.8, 1.1, 1.5, 2.1, 3.0].map(|k| k * longer).into()
 }
 
-/// Standard deviation of a number that was rounded to a whole one: 1/√12.
+/// Standard deviation of a number that was rounded to a whole one: 1/√12 (derived).
 const ROUNDED: f64 = 0.289;
 /// A photo longer than this many times its width was cropped, or is a frame of a video.
 const CROPPED: f64 = 1.6;

@@ -2,7 +2,7 @@
 //!
 //! Likenesses are sums of whole numbers below 2²⁴, which single precision holds exactly.
 
-/// A description's likeness to itself.
+/// A description's likeness to itself (structural).
 pub(crate) const SAME: f32 = 512.0 * 512.0;
 /// Features nearer to each other than this are one place with several directions. \[px\]
 pub(crate) const PLACE_PX: f32 = 2.0;

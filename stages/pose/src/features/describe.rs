@@ -5,12 +5,14 @@ use crate::features::detect::Extremum;
 use crate::features::gradients::{AT_ONCE, Row, faded};
 use shape::Gray;
 
+/// As in Lowe 2004, §6.1.
 const CELLS: usize = 4;
+/// As in Lowe 2004, §6.1.
 const BINS: usize = 8;
-/// Width of a cell in scales.
+/// Width of a cell in scales, as in Lowe's own program.
 const CELL_SCALES: f32 = 3.0;
 
-/// Cells with a border of one to each side: what is spread beyond the outer ones falls there.
+/// Cells with a border of one to each side: what is spread beyond the outer ones falls there (structural).
 const PADDED: usize = CELLS + 2;
 
 /// The descriptor of a point with a direction. \[rad\]

@@ -84,6 +84,7 @@ impl Around {
 
     /// Calls `see` with the pixels that stand out of those, by at least so much from 0, left to right.
     fn standing_out(&self, row: &[f32], least: f32, mut see: impl FnMut(usize)) {
+        /// Columns that are worked on side by side (structural: speed alone).
         const AT_ONCE: usize = 16;
         let out =
             |v: f32, high: f32, low: f32| (v >= least) & (v > high) | (v <= -least) & (v < low);
@@ -178,6 +179,7 @@ fn refined(
 /// The directions of a point: peaks of a histogram of gradients around it, at least four fifths of
 /// the highest. \[rad\]
 pub fn orientations(image: &Gray, e: &Extremum, fading: &[f32]) -> Vec<f32> {
+    /// Directions are counted in bins of 10° (Lowe 2004, §5).
     const BINS: usize = 36;
     let mut bins = [0f32; BINS];
     let sigma = 1.5 * e.scale;

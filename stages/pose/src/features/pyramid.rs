@@ -2,11 +2,11 @@
 
 use shape::Gray;
 
-/// Intervals an octave is cut into.
+/// Intervals an octave is cut into (Lowe 2004, §3.2).
 pub const INTERVALS: usize = 3;
-/// Blur of the first image of an octave. \[px of the octave\]
+/// Blur of the first image of an octave (Lowe 2004, §3.3). \[px of the octave\]
 pub const SIGMA: f32 = 1.6;
-/// Blur that a photo is taken to have.
+/// Blur that a photo is taken to have (Lowe 2004, §3.3).
 const CAMERA: f32 = 0.5;
 
 /// The images of one octave.
@@ -66,6 +66,7 @@ fn blurred(w: usize, h: usize, sigma: f32, mut source: impl FnMut(usize, &mut [f
 /// Sums what is to both sides of each pixel of a row, weighted; `sides(i)` are what is i away.
 /// Sixteen pixels at a time, so that sums stay in registers.
 fn weighted<'a>(kernel: &[f32], out: &mut [f32], sides: impl Fn(usize) -> (&'a [f32], &'a [f32])) {
+    /// Columns that are worked on side by side (structural: speed alone).
     const AT_ONCE: usize = 16;
     type Lanes = [f32; AT_ONCE];
     let middle = sides(0).0;

@@ -49,10 +49,11 @@ stage::inputs! {
     }
 }
 
-/// Of a pixel of the photo: its colours and its brightness. \[bytes\]
+/// Of a pixel of the photo: its colours and its brightness (structural: what the buffers hold). \[bytes\]
 const PHOTO_PIXEL: u64 = 8;
 
 /// Of a pixel at the finest scale: its octave's six scales, and what is in the making. \[bytes\]
+/// (Structural: what the buffers hold.)
 const SCALES_PIXEL: u64 = 30;
 
 /// What the search in one photo takes. \[bytes\]

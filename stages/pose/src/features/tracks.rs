@@ -62,7 +62,7 @@ stage::inputs! {
     }
 }
 
-/// Of a feature: its description as numbers, and its matches. \[bytes\]
+/// Of a feature: its description as numbers, and its matches (structural: what the buffers hold). \[bytes\]
 const FEATURE: u64 = 768;
 
 /// `pose.tracks`: keypoints, photos → tracks.

@@ -235,7 +235,7 @@ fn disputed(first: &Measure, other: &Measure, off: f64) -> Message {
     )
 }
 
-/// What cameras are called when their millimetres are unknown: their mean distance from the axis.
+/// What cameras are called when their millimetres are unknown: their mean distance from the axis (structural: a unit).
 const RING_MM: f64 = 1000.0;
 
 /// The cameras with their ground at height 0, in shares of their own distance from the axis.

@@ -14,7 +14,7 @@ pub struct Paper {
     pub margin_mm: f64,
 }
 
-/// PDF's unit: 1/72 inch.
+/// PDF's unit: 1/72 inch (derived: 72 a 25.4 mm).
 const POINT: f64 = 72.0 / 25.4;
 /// What neighbouring pages print of each other. \[mm\]
 const OVERLAP: f64 = 8.0;

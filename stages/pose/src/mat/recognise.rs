@@ -34,9 +34,9 @@ pub struct Ringed {
     pub ring: f64,
 }
 
-/// A tag's corners in its own plane, its edge 1, y outward: as [`Tag::corners`].
+/// A tag's corners in its own plane, its edge 1, y outward: as [`Tag::corners`] (structural).
 const SQUARE: [[f64; 2]; 4] = [[-0.5, 0.5], [0.5, 0.5], [0.5, -0.5], [-0.5, -0.5]];
-/// Pixels are brought to the order of 1 by this.
+/// Pixels are brought to the order of 1 by this (structural: a unit).
 const PX: f64 = 1e-3;
 /// What photos show of ring against tag is within this of what was printed: 0.6 to 1.9 ‰ off on rendered captures
 /// through a lens that distorts.

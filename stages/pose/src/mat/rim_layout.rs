@@ -4,7 +4,7 @@ use crate::mat::layout::{LayoutError, Mark, black};
 use shape::Rim;
 use shape::tag36h11::TAGS;
 
-/// White to each side of a tag, at least, as a share of its size: one module.
+/// White to each side of a tag, at least, as a share of its size: one module (structural: one of eight modules).
 const MARGIN: f64 = 0.125;
 /// A tag spans at most this share of the disk's radius, so that it is not seen too round.
 const MOST_BENT: f64 = 0.35;

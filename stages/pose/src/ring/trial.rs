@@ -10,7 +10,7 @@ use crate::two_view::triangulate::{Seen, triangulated};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::{Intrinsics, PhotoId, Tracks};
 
-/// Size of the ring while its millimetres are unknown. \[mm\]
+/// Size of the ring while its millimetres are unknown (structural: a unit). \[mm\]
 pub(crate) const RING_MM: f64 = 1000.0;
 
 /// The ring of a start: camera zero looks along +y.

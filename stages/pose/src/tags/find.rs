@@ -44,7 +44,7 @@ stage::inputs! {
 #[error("the tag detector cannot be set up: {0}")]
 pub struct NoDetector(String);
 
-/// Of a pixel: its colours, its brightness, what the detector makes of it. \[bytes\]
+/// Of a pixel: its colours, its brightness, what the detector makes of it (structural: what the buffers hold). \[bytes\]
 const TAGS_PIXEL: u64 = 48;
 
 /// `pose.tags`: photos → tags. Where none are given, a glance at three photos decides whether to look.

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 /// Where a point is on two photos.
 pub type Both = [[f64; 2]; 2];
 
-/// Monomials x^i y^j z^k, those that are eliminated first.
+/// Monomials x^i y^j z^k, those that are eliminated first (Nistér 2004, §3).
 const MONOMIALS: [[usize; 3]; 20] = [
     [3, 0, 0],
     [0, 3, 0],

@@ -71,9 +71,9 @@ stage::inputs! {
     }
 }
 
-/// Of a feature: its description as numbers, twice. \[bytes\]
+/// Of a feature: its description as numbers, twice (structural). \[bytes\]
 const FEATURE: u64 = 2 * 512;
-/// Likenesses to one feature's descriptions, in a stride. \[bytes\]
+/// Likenesses to one feature's descriptions, in a stride (structural). \[bytes\]
 const STRIDE: u64 = 512;
 
 /// `pose.link`: keypoints, photos → tracks.

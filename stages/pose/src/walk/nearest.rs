@@ -8,7 +8,7 @@ use crate::features::matching::Pairs;
 use nalgebra::DMatrix;
 use shape::Features;
 
-/// How many features are compared at once.
+/// How many features are compared at once (structural: speed alone).
 const STRIDE: usize = 128;
 
 /// Descriptions, one a column.

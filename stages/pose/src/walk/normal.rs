@@ -8,9 +8,9 @@ use nalgebra::{Point3, SMatrix};
 use rayon::prelude::*;
 use shape::Camera;
 
-/// Unknowns of a shot: rotation, translation, zoom.
+/// Unknowns of a shot: rotation, translation, zoom (structural: 3 + 3 + 1).
 pub(crate) const SHOT: usize = 7;
-/// Into how many parts points are split, whatever the number of threads.
+/// Into how many parts points are split, whatever the number of threads (structural: the order of sums).
 const PARTS: usize = 8;
 
 /// Where unknowns are in the system; what has no place is fixed.

@@ -210,7 +210,7 @@ fn enough(photos: &Photos, missing: &[PhotoId], p: &WalkParams) -> Result<(), Wa
     })
 }
 
-/// What cameras are called when their millimetres are unknown: their mean distance from the axis.
+/// What cameras are called when their millimetres are unknown: their mean distance from the axis (structural: a unit).
 const RING_MM: f64 = 1000.0;
 
 /// The cameras of upright photos, in the frame of the walk.

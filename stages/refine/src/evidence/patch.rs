@@ -7,7 +7,7 @@
 
 use nalgebra::{Point3, Vector3};
 
-/// Numbers that are worked on side by side.
+/// Numbers that are worked on side by side (structural: speed alone).
 pub const LANES: usize = 8;
 /// Most points of a patch.
 pub const MOST_POINTS: usize = 128;

@@ -7,11 +7,11 @@ use crate::pictures::picture::{halved_size, pinhole};
 use crate::pictures::prepare::{halvings, posed};
 use shape::{Cameras, Masks, Mesh, Photos};
 
-/// Of a pixel of a picture: brightness, and the distance to the silhouette. \[bytes\]
+/// Of a pixel of a picture: brightness, and the distance to the silhouette (structural: what the buffers hold). \[bytes\]
 const PICTURE_PIXEL: f64 = 8.0;
 
 /// Of a pixel of a photo on its way to a picture: colours, brightness, distances, each before and
-/// after a step. One photo a thread. \[bytes\]
+/// after a step. One photo a thread (structural: what the buffers hold). \[bytes\]
 const PHOTO_PIXEL: f64 = 36.0;
 
 /// Of a vertex: what each photo shows there, its equations, its neighbours. \[bytes\]
@@ -21,7 +21,7 @@ const VERTEX: f64 = 2500.0;
 const LEFT_VERTEX: f64 = 300.0;
 
 /// Vertices for a pixel of a silhouette at a pixel's spacing: the surface of what is round has π times
-/// the area of its outline, and an equilateral triangle with sides 1 has √3/4, two of them a vertex.
+/// the area of its outline, and an equilateral triangle with sides 1 has √3/4, two of them a vertex (derived).
 const VERTICES: f64 = std::f64::consts::PI / 0.866;
 
 /// Of a body whose silhouettes nobody gave, the share of a photo that it covers.

@@ -6,7 +6,7 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::Mesh;
 
-/// No photo shows the face.
+/// No photo shows the face (structural).
 pub const NOWHERE: u16 = u16::MAX;
 
 /// For each face the picture that shows it best, and is best for its neighbours too: the fewer

@@ -32,7 +32,7 @@ pub type TextureInput = TurnInput;
 /// `refine.texture`: mesh, photos, cameras, masks → textured mesh.
 pub struct Texture;
 
-/// Margin around a chart. \[px\]
+/// Margin around a chart (structural: what bilinear reading reaches, and its rounding). \[px\]
 const MARGIN: usize = 2;
 
 /// The photos by which faces are given to photos.

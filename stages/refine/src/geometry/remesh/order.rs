@@ -5,7 +5,7 @@
 
 use shape::Mesh;
 
-/// Cells a side of the curve's grid, as a power of two.
+/// Cells a side of the curve's grid, as a power of two (structural).
 const BITS: u32 = 10;
 
 /// The same mesh, vertices along a Morton curve, faces by their first vertex. Colours are dropped.
