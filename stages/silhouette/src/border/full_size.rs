@@ -30,7 +30,7 @@ pub fn fine(
     let image = &without.image;
     let (width, height) = (pixels.width, pixels.height);
     // The ground of every pixel is dear, and that of its neighbourhood serves.
-    let grounds = Grounds::of(ready.disk.as_ref(), factor, width, height);
+    let grounds = Grounds::of(ready.floor.as_ref(), factor, width, height);
     let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH);
     let settings = &settings.with(noise);
     if factor == 1 {

@@ -42,7 +42,7 @@ stage::inputs! {
         evidence: Arc<Evidence>,
         /// Body or background of each reduced pixel.
         labels: Arc<Labels>,
-        /// Where a person is, by a learned sense of one: to name parts of the body that look like the scene.
+        /// Where a person is, by a learned sense of one: where the floor is, and parts of the body that look like the scene.
         people: Option<Arc<People>>,
     }
 }
@@ -52,14 +52,14 @@ pub struct Border;
 
 impl Stage for Border {
     const NAME: &'static str = "silhouette.border";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and gives how much of each border pixel is body.";
     type Params = BorderParams;
     type Input = BorderInput;
     type Output = Masks;
 
     fn run(p: &BorderParams, input: BorderInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
-        let behind = Behind::of(&input.scene, &input.aligned);
+        let behind = Behind::of(&input.scene, &input.aligned, input.people.as_deref());
         let all = Turn {
             settings: Settings::of_border(p.gamma),
             agreement: agreement(&input),
@@ -122,11 +122,10 @@ impl Turn<'_> {
     ) -> [Hash; 6] {
         let aligned = &self.input.aligned;
         let lies = format!(
-            "{:?} {:?} {:?} {:?}",
+            "{:?} {:?} {:?}",
             aligned.of(id),
-            aligned.camera(id),
             aligned.taken(id),
-            aligned.disk_radius_mm(),
+            self.behind.floor(id),
         );
         let labels = Labels {
             views: [(PhotoId(0), label.clone())].into_iter().collect(),
@@ -169,10 +168,10 @@ impl Turn<'_> {
         let alignment = self.input.aligned.of(id);
         let pixels = alignment.brought(photo.decode()?);
         let without = self.behind.of_photo(id, &pixels);
-        let (width, height) = (evidence.photo.width as u32, evidence.photo.height as u32);
-        let disk = self.behind.disk(id);
-        let disk = disk.map(|(camera, radius)| (camera.resized(width, height), radius));
-        let mut ready = Prepared::of(evidence, disk);
+        let (width, height) = (evidence.photo.width, evidence.photo.height);
+        let floor = self.behind.floor(id);
+        let floor = floor.map(|floor| floor.resized(width, height));
+        let mut ready = Prepared::of(evidence, floor);
         ready.known.clone_from(&label.known);
         ready.add_odds(self.agreement.odds(id));
         if let Some(found) = scene.bodies.get(id) {

@@ -1,21 +1,24 @@
 //! What a photo would show without the subject, by the scene.
 
+use crate::likelihood::floor::{Floor, Soles, floor};
 use crate::plate::expected::expected;
 use crate::scene::backdrop::Backdrop;
 use crate::scene::still_and_disk::Scene as Laid;
-use shape::{Aligned, Camera, Image, PhotoId, Rgb, Scene, Seen, toned};
+use shape::{Aligned, Image, People, PhotoId, Rgb, Scene, Seen, toned};
 
 /// The scene, ready to be shown as each photo would see it.
 pub(crate) struct Behind<'a> {
     scene: &'a Scene,
     aligned: &'a Aligned,
+    /// Where the floor is, if no disk is known.
+    soles: Option<Soles>,
     /// The scene laid out, where its disk is a map.
     laid: Option<Laid>,
 }
 
 impl<'a> Behind<'a> {
-    /// Of a scene that is known.
-    pub(crate) fn of(scene: &'a Scene, aligned: &'a Aligned) -> Self {
+    /// Of a scene that is known, and the people before it.
+    pub(crate) fn of(scene: &'a Scene, aligned: &'a Aligned, people: Option<&People>) -> Self {
         let backdrop = |seen: &Seen| Backdrop {
             image: seen.image.clone(),
             seen: seen.shown_by.map(|photos| *photos > 0),
@@ -37,6 +40,7 @@ impl<'a> Behind<'a> {
         Behind {
             scene,
             aligned,
+            soles: Soles::below(people, aligned),
             laid,
         }
     }
@@ -46,9 +50,9 @@ impl<'a> Behind<'a> {
         self.scene.views.iter().map(|(id, _)| id)
     }
 
-    /// Camera where photos are aligned, and the disk's radius. \[mm\]
-    pub(crate) fn disk(&self, id: PhotoId) -> Option<(Camera, f64)> {
-        self.aligned.camera(id).zip(self.aligned.disk_radius_mm())
+    /// The floor before the camera, where photos are aligned.
+    pub(crate) fn floor(&self, id: PhotoId) -> Option<Floor> {
+        floor(self.aligned, self.soles, id)
     }
 
     /// What a photo, where photos are aligned, would show without the subject.
@@ -62,10 +66,11 @@ impl<'a> Behind<'a> {
         let view = self.scene.views.get(id).cloned().unwrap_or_default();
         let plate = &self.scene.still.image;
         let lit = view.tones.as_ref().map(|tones| toned(plate, tones));
-        let disk = self.disk(id).zip(view.disk_turn);
+        // Where no disk is known the plate's was not turned.
+        let disk = self.floor(id).zip(view.disk_turn);
         let turned = disk
             .as_ref()
-            .map(|((camera, radius), turn)| (camera, *radius, *turn));
+            .map(|(top, turn)| (&top.camera, top.touched, *turn));
         Backdrop::whole(expected(lit.as_ref().unwrap_or(plate), turned))
     }
 }

@@ -1,8 +1,8 @@
 //! What the background is at each pixel of a photo: the room, the floor, or the disk.
 
+use crate::likelihood::floor::Floor;
 use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3};
-use shape::Camera;
 
 /// What the background is at a pixel, which says how light may change there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,8 +15,6 @@ pub enum Ground {
     Disk,
 }
 
-/// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii.
-const SHADOW_RADII: f64 = 5.0;
 /// Side of the blocks of a photo, in most of which the ground is the same. \[px\]
 const SIDE: usize = 8;
 /// Points of the disk's outline: fewer pixels apart than a block is wide.
@@ -24,8 +22,8 @@ const OUTLINE: usize = 720;
 
 /// The ground of each pixel of a photo.
 pub(crate) struct Grounds<'a> {
-    /// The camera at the reduced size, and the disk's radius. \[mm\]
-    disk: Option<&'a (Camera, f64)>,
+    /// The floor before the camera at the reduced size.
+    floor: Option<&'a Floor>,
     factor: usize,
     /// Blocks along a row, and one more corner.
     wide: usize,
@@ -36,16 +34,11 @@ pub(crate) struct Grounds<'a> {
 }
 
 impl<'a> Grounds<'a> {
-    /// Of a photo of a size, `factor` times as large as the disk's camera sees it.
-    pub(crate) fn of(
-        disk: Option<&'a (Camera, f64)>,
-        factor: usize,
-        width: usize,
-        height: usize,
-    ) -> Self {
+    /// Of a photo of a size, `factor` times as large as the floor's camera sees it.
+    pub(crate) fn of(floor: Option<&'a Floor>, factor: usize, width: usize, height: usize) -> Self {
         let (wide, tall) = (width / SIDE + 2, height / SIDE + 2);
         let mut grounds = Grounds {
-            disk,
+            floor,
             factor,
             wide,
             corners: Vec::new(),
@@ -88,23 +81,28 @@ impl<'a> Grounds<'a> {
         self.corners[y / SIDE * self.wide + x / SIDE]
     }
 
-    /// What a pixel's ray meets. Without a camera a shadow may fall anywhere.
+    /// What a pixel's ray meets. Where no floor is known a shadow may fall anywhere.
     fn seen(&self, x: usize, y: usize) -> Ground {
-        let Some((camera, radius)) = self.disk else {
+        let Some(floor) = self.floor else {
             return Ground::Floor;
         };
         let small = |v: usize| (v as f64 + 0.5) / self.factor as f64 - 0.5;
         let at = Point2::new(small(x), small(y));
-        match on_disk(camera, at, radius * SHADOW_RADII) {
+        match on_disk(&floor.camera, at, floor.shadow) {
             None => Ground::Room,
-            Some(hit) if libm::hypot(hit.x, hit.y) < *radius => Ground::Disk,
+            Some(hit) if libm::hypot(hit.x, hit.y) < floor.touched => Ground::Disk,
             Some(_) => Ground::Floor,
         }
     }
 
     /// The blocks through which the disk's outline passes, and those beside them.
     fn outline(&self) -> Vec<(usize, usize)> {
-        let Some((camera, radius)) = self.disk else {
+        let Some(Floor {
+            camera,
+            touched: radius,
+            ..
+        }) = self.floor
+        else {
             return Vec::new();
         };
         let point = |i: usize| {
@@ -128,7 +126,7 @@ impl<'a> Grounds<'a> {
 mod tests {
     use super::*;
     use nalgebra::{Rotation3, Vector3};
-    use shape::{Intrinsics, Pose};
+    use shape::{Camera, Intrinsics, Pose};
 
     #[test]
     fn blocks_say_the_same_as_pixels() {
@@ -143,7 +141,7 @@ mod tests {
                 rotation,
                 translation: -(rotation * centre),
             };
-            let disk = (Camera { lens, pose }, 450.0);
+            let disk = Floor::of_disk(Camera { lens, pose }, 450.0);
             let grounds = Grounds::of(Some(&disk), 3, 480, 720);
             let mut met = [0; 3];
             for (x, y) in (0..720).flat_map(|y| (0..480).map(move |x| (x, y))) {

@@ -5,6 +5,7 @@ pub(crate) mod behind;
 pub(crate) mod body;
 pub(crate) mod colors_beside;
 pub(crate) mod disk_colors;
+pub(crate) mod floor;
 pub(crate) mod gmm;
 pub(crate) mod grounds;
 pub(crate) mod neighbourhoods;

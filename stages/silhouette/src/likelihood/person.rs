@@ -128,7 +128,7 @@ mod tests {
             unforeseen: None,
             known: vec![Known::Unknown; SIDE * SIDE],
             noise: Noise::even(1.8),
-            disk: None,
+            floor: None,
         }
     }
 

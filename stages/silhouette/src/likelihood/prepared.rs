@@ -3,11 +3,12 @@
 use crate::align::reduced::reduced;
 use crate::cut::least_cut::Known;
 use crate::likelihood::background::{FLAT, Noise, background_cost};
+use crate::likelihood::floor::Floor;
 use crate::likelihood::grounds::Grounds;
 use crate::scene::backdrop::Backdrop;
 use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3};
-use shape::{Camera, PhotoEvidence, Rgb};
+use shape::{PhotoEvidence, Rgb};
 
 /// A photo made ready: reduced, with what is known of each pixel.
 pub struct Prepared {
@@ -25,13 +26,13 @@ pub struct Prepared {
     pub known: Vec<Known>,
     /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
     pub noise: Noise,
-    /// The camera at the reduced size, and the disk's radius. \[mm\]
-    pub disk: Option<(Camera, f64)>,
+    /// The floor before the camera at the reduced size.
+    pub floor: Option<Floor>,
 }
 
 impl Prepared {
-    /// Of evidence that was found; `disk` as in [`Prepared`].
-    pub(crate) fn of(evidence: &PhotoEvidence, disk: Option<(Camera, f64)>) -> Self {
+    /// Of evidence that was found; `floor` as in [`Prepared`].
+    pub(crate) fn of(evidence: &PhotoEvidence, floor: Option<Floor>) -> Self {
         Prepared {
             factor: evidence.factor as usize,
             small: evidence.photo.clone(),
@@ -40,7 +41,7 @@ impl Prepared {
             unforeseen: None,
             known: evidence.known.clone(),
             noise: Noise::even(evidence.noise_levels),
-            disk,
+            floor,
         }
     }
 
@@ -80,9 +81,6 @@ impl Prepared {
     }
 }
 
-/// Where the disk is: the photo's camera and the disk's radius. \[mm\]
-pub(crate) type Disk<'a> = Option<(&'a Camera, f64)>;
-
 /// Half the side of neighbourhoods of the reduced photo. \[px\]
 const COARSE_REACH: usize = 1;
 
@@ -95,7 +93,7 @@ pub(crate) const UNSEEN: f32 = FLAT + 14.0;
 pub fn prepare(
     pixels: &Rgb,
     without: &Backdrop,
-    disk: Disk<'_>,
+    floor: Option<Floor>,
     coarse_px: usize,
     side_mm: f64,
 ) -> Prepared {
@@ -105,9 +103,8 @@ pub fn prepare(
         .div_ceil(coarse_px.max(1))
         .max(1);
     let (small, expected) = (reduced(pixels, factor), reduced(&without.image, factor));
-    let at_small =
-        disk.map(|(c, radius)| (c.resized(small.width as u32, small.height as u32), radius));
-    let grounds = Grounds::of(at_small.as_ref(), 1, small.width, small.height);
+    let floor = floor.map(|floor| floor.resized(small.width, small.height));
+    let grounds = Grounds::of(floor.as_ref(), 1, small.width, small.height);
     let on = |x: usize, y: usize| grounds.at(x, y);
     let noise = Noise::measure(&small, &expected, &on, COARSE_REACH);
     let all = [0, 0, small.width, small.height];
@@ -119,11 +116,7 @@ pub fn prepare(
             *cost = UNSEEN;
         }
     }
-    let known = certain(
-        &small,
-        at_small.as_ref().map(|(c, radius)| (c, *radius)),
-        side_mm,
-    );
+    let known = certain(&small, floor.as_ref(), side_mm);
     Prepared {
         factor,
         small,
@@ -132,16 +125,20 @@ pub fn prepare(
         cost,
         known,
         noise,
-        disk: at_small,
+        floor,
     }
 }
 
 /// What cannot be body: below the disk's top, and outside of the cylinder above the disk.
-fn certain(image: &Rgb, disk: Disk<'_>, side_mm: f64) -> Vec<Known> {
+fn certain(image: &Rgb, floor: Option<&Floor>, side_mm: f64) -> Vec<Known> {
     let mut known = vec![Known::Unknown; image.data.len()];
-    let Some((camera, radius)) = disk else {
+    let Some(Floor {
+        camera, touched, ..
+    }) = floor.filter(|floor| floor.is_disk)
+    else {
         return known;
     };
+    let radius = *touched;
     // The disk's front rim: pixels below the top's outline in each column see its side or the floor.
     let mut front = vec![f64::MAX; image.width];
     for i in 0..720 {

@@ -41,7 +41,7 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
@@ -49,7 +49,7 @@ impl Stage for Likelihood {
 
     fn run(p: &LikelihoodParams, input: LikelihoodInput, ctx: &Ctx<'_>) -> Result<Evidence, Stop> {
         let (aligned, scene) = (&*input.aligned, &*input.scene);
-        let behind = Behind::of(scene, aligned);
+        let behind = Behind::of(scene, aligned, input.people.as_deref());
         let all: Vec<(PhotoId, &Photo)> = match scene.is_unknown() {
             true => input.photos.iter().collect(),
             false => {
@@ -95,10 +95,9 @@ fn weighed(
 ) -> Result<PhotoEvidence, Stop> {
     let pixels = aligned.of(id).brought(photo.decode()?);
     let without = behind.of_photo(id, &pixels);
-    let disk = behind.disk(id);
-    let disk = disk.as_ref().map(|(camera, radius)| (camera, *radius));
+    let floor = behind.floor(id);
     let most = aligned.coarse_px as usize;
-    let mut ready = prepare(&pixels, &without, disk, most, disk_side_mm);
+    let mut ready = prepare(&pixels, &without, floor, most, disk_side_mm);
     let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
     close(known, width, factor, photo, aligned)?;
     Ok(ready.evidence())

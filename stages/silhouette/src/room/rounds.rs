@@ -9,6 +9,7 @@ use crate::label::parts::parts;
 use crate::likelihood::body::{STRANGE, body_cost, evident};
 use crate::likelihood::colors_beside::Nearby;
 use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, on_the_disk};
+use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
@@ -161,7 +162,7 @@ impl Turn<'_> {
     /// One photo before the scene around, with what is certain of it.
     fn one(&self, shot: &Shot, around: &Scene) -> Prepared {
         let behind = around.behind(&shot.small, &shot.camera);
-        let disk = (self.radius > 0.0).then_some((&shot.camera, self.radius));
+        let disk = (self.radius > 0.0).then(|| Floor::of_disk(shot.camera, self.radius));
         let mut ready = prepare(&shot.small, &behind, disk, usize::MAX, self.disk_side_mm);
         if let Some((rectangle, factor)) = &self.within {
             rectangle.close(&mut ready.known, shot.small.width, *factor);
