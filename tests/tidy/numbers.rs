@@ -14,13 +14,13 @@ const UNSOURCED: [(&str, usize); 14] = [
     ("io", 9),
     ("measure", 163),
     ("person", 18),
-    ("pose", 129),
+    ("pose", 127),
     ("refine", 13),
     ("report", 9),
-    ("shape", 19),
+    ("shape", 18),
     ("silhouette", 152),
     ("stage", 3),
-    ("synth", 15),
+    ("synth", 14),
     ("turning", 17),
 ];
 

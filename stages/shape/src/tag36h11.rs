@@ -2,7 +2,7 @@
 //! BSD-2-Clause, from AprilTag 3.
 
 /// The place of each bit in the tag's 8×8 modules, from the most significant on: column, row.
-/// (Structural: the family's layout.)
+/// (structural: the family's layout.)
 const PLACES: [(usize, usize); 36] = [
     (1, 1),
     (2, 1),

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use shape::{Plane, Solid};
 
 /// Directions in which a section is looked for: its length is then short by a ten-millionth.
-/// (Structural: its error is given.)
+/// (structural: its error is given.)
 const DIRECTIONS: usize = 4096;
 /// How far apart the formula is asked before a border is closed in on. \[mm\]
 const STRIDE: f64 = 1.5;

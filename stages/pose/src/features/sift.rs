@@ -53,7 +53,7 @@ stage::inputs! {
 const PHOTO_PIXEL: u64 = 8;
 
 /// Of a pixel at the finest scale: its octave's six scales, and what is in the making. \[bytes\]
-/// (Structural: what the buffers hold.)
+/// (structural: what the buffers hold.)
 const SCALES_PIXEL: u64 = 30;
 
 /// What the search in one photo takes. \[bytes\]

