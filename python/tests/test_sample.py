@@ -25,7 +25,7 @@ def test_what_the_command_measured_python_finds(tmp_path):
     "folder, facts, told",
     [
         ("nowhere", {}, "nowhere"),
-        (".", {}, "outside of it"),
+        (".", {}, "there are no photos in ."),
         (SAMPLE, {"statur": 178}, "statur"),
         (SAMPLE, {"stature": "tall"}, "--stature"),
         (SAMPLE, {"steps": 0}, "--steps 0"),

@@ -1,6 +1,7 @@
 //! Where `tailor measure` writes, and what.
 
 use super::provenance::{called, completed_as, folder, get};
+use crate::catalog::is_photo;
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::{Graph, Source};
@@ -38,7 +39,15 @@ pub(super) fn place_of_results(
         .unwrap_or_else(|_| capture.to_owned());
     let name = called(&whole);
     let out = match out {
-        Some(out) => out.to_owned(),
+        Some(out) => {
+            if let Some(file) = of_somebody(out) {
+                return Err(Fault::input(format!(
+                    "{} was not written by tailor: nothing was written; give an empty folder with --out",
+                    out.join(file).display()
+                )));
+            }
+            out.to_owned()
+        }
         None => {
             let mut out = PathBuf::from(format!("{name}-out"));
             // From within the capture: beside it.
@@ -62,6 +71,23 @@ pub(super) fn place_of_results(
         true => Err(inside(&out, capture)),
         false => Ok((out, name)),
     }
+}
+
+/// What a folder holds that no run wrote, and a run would replace or a later one take for a part of a capture: photos, what
+/// is known of them, and files of the results' names. Anything else may be beside results.
+fn of_somebody(out: &Path) -> Option<String> {
+    if out.join("run.json").exists() {
+        return None;
+    }
+    let entries = std::fs::read_dir(out).into_iter().flatten().flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    let ours = WRITTEN.map(|(_, file, _)| file);
+    let capture = ["images", "capture.toml", "report.html"];
+    let mut theirs: Vec<String> = names
+        .filter(|n| is_photo(n) || capture.contains(&n.as_str()) || ours.contains(&n.as_str()))
+        .collect();
+    theirs.sort();
+    theirs.into_iter().next()
 }
 
 /// The nodes whose results are written.

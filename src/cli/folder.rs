@@ -13,8 +13,12 @@ use std::path::Path;
 
 stage::messages! {
     TOO_FEW = "fail-few-no-mat": "{folder} has {count} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then give --mat), or give the step between them, such as --step 20";
+    NO_PHOTOS = "fail-no-photos": "there are no photos in {folder} (JPEG, PNG or TIFF): copy those of the turn there, or give --recursive where they are in folders below";
     NOT_READ = "warn-not-read": "{files}: not read; if they belong to the turn: ({way})";
 }
+
+/// The folder of a capture that holds masks.
+pub(super) const MASKS: &str = "masks";
 
 /// What was seen.
 pub(super) struct Looked {
@@ -98,6 +102,12 @@ pub(super) fn look(
     looked
         .warnings
         .extend(unread(capture, &names, photos.is_empty())?);
+    if photos.is_empty() && looked.patterns.is_empty() {
+        return Err(Fault::coded(&message!(
+            NO_PHOTOS,
+            folder = shown.to_string()
+        )));
+    }
     if recursive && looked.patterns.is_empty() {
         looked.patterns = below(&photos);
         let list = looked.patterns.iter().cloned().map(toml::Value::from);
@@ -107,25 +117,21 @@ pub(super) fn look(
             set: format!("photos.facts.images={list}"),
         });
     }
-    let has = |table: &str| file.contains_key(table);
-    let step = file
-        .get("step_deg")
-        .and_then(|s| s.as_float().or(s.as_integer().map(|i| i as f64)));
-    let near = facts
-        .step_deg()
-        .or(step)
-        .is_some_and(|s| s.abs() <= WIDEST_DEG);
-    let few = (3..FEWEST).contains(&photos.len());
-    if few && looked.patterns.is_empty() && !facts.tagged() && !has("mat") && !near {
-        looked.few = Some(too_few(capture, photos.len()));
+    if looked.patterns.is_empty() {
+        looked.few = too_few(capture, facts, &file, photos.len());
     }
     Ok(looked)
 }
 
-/// Why so many photos are too few.
-fn too_few(capture: &Path, photos: usize) -> Message {
+/// Why so many photos are too few, if they are.
+fn too_few(capture: &Path, facts: &Facts, file: &toml::Table, photos: usize) -> Option<Message> {
+    let number = |s: &toml::Value| s.as_float().or(s.as_integer().map(|i| i as f64));
+    let step = facts.step_deg().or(file.get("step_deg").and_then(number));
+    let near = step.is_some_and(|s| s.abs() <= WIDEST_DEG);
+    let tagged = facts.tagged() || file.contains_key("mat");
     let folder = capture.display().to_string();
-    message!(TOO_FEW, folder = folder, count = photos)
+    let few = (3..FEWEST).contains(&photos) && !tagged && !near;
+    few.then(|| message!(TOO_FEW, folder = folder, count = photos))
 }
 
 /// What is in the folder and is not read; an error where there is nothing else.
@@ -247,7 +253,7 @@ fn list(
             false => format!("{inner}/{base}"),
         };
         let is_folder = std::fs::metadata(entry.path()).is_ok_and(|m| m.is_dir());
-        let skipped = base.starts_with('.') || base == "masks";
+        let skipped = base.starts_with('.') || base == MASKS;
         match is_folder {
             false => names.push(name),
             true if skipped || entry.path().join("run.json").exists() => {}

@@ -1,7 +1,7 @@
 //! What `tailor measure` prints while it runs: what it found, then the part that is on its way; warnings wait
 //! for the end.
 
-use super::folder::Looked;
+use super::folder::{Looked, MASKS};
 use super::screen::broken;
 use super::source::Source;
 use crate::words::language::Words;
@@ -20,6 +20,8 @@ pub(super) struct Live {
     name: String,
     source: Source,
     plate: bool,
+    /// Whether masks are there, in place of those that would be made.
+    masks: bool,
     /// Whether there is a mat, and how many tags it has.
     mat: Option<Option<u64>>,
     warnings: Mutex<Vec<Message>>,
@@ -34,6 +36,7 @@ impl Live {
             name: name.to_owned(),
             source: looked.source.clone(),
             plate: looked.plate_there,
+            masks: looked.source.folder().join(MASKS).is_dir(),
             mat: looked.mat.as_deref().map(mat),
             warnings: Mutex::default(),
         }
@@ -63,6 +66,7 @@ impl Live {
         let video = matches!(self.source, Source::Video(..));
         facts.extend(video.then(|| words.text("screen-video")));
         facts.push(words.text(&format!("plate-{plate}")));
+        facts.extend(self.masks.then(|| words.text("screen-own-masks")));
         facts.extend(self.mat.map(|tags| match tags {
             Some(count) => words.with("screen-mat", &[("count", count.into())]),
             None => words.text("screen-mat-some"),

@@ -3,13 +3,13 @@
 use super::cohort;
 use super::delivered::place_of_results;
 use super::measure_args::Measure;
-use super::measuring::one;
+use super::measuring::{Measured, one};
 use super::provenance::called;
 use super::stated::Stated;
 use crate::delivery::Delivery;
 use crate::store::Store;
 use command::{Fault, GlobalArgs, whose};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// `tailor measure`: each folder on its own; one that fails does not stop the rest.
@@ -25,11 +25,21 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
     if let [capture] = measure.folders.as_slice() {
         let measured = one(measure, capture, measure.out.as_deref(), &stated, global)?;
         if global.json {
-            command::outln!("{}", pretty(&measured.run()));
+            command::outln!("{}", pretty(&answer(&measured)));
         }
         return Ok(());
     }
     many(measure, &stated, global)
+}
+
+/// How it was made, where it is, and the girths as `girths.json` has them.
+fn answer(measured: &Measured) -> Value {
+    let mut run = measured.run();
+    run["out"] = json!(measured.out.display().to_string());
+    let girths = std::fs::read(measured.out.join("girths.json")).ok();
+    let girths = girths.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    run["girths"] = girths.unwrap_or_default();
+    run
 }
 
 /// Several captures: a row each, one table.

@@ -2,7 +2,7 @@
 
 use super::delivered::{place_of_results, written};
 use super::first::First;
-use super::folder::{self, Looked};
+use super::folder::{self, Looked, MASKS};
 use super::live::Live;
 use super::measure_args::Measure;
 use super::prepared::Prepared;
@@ -26,9 +26,6 @@ use std::sync::Arc;
 
 /// The variant of pipelines that stops at the coarse surface.
 const FAST: &str = "fast";
-
-/// The folder of a capture that holds masks.
-const MASKS: &str = "masks";
 
 /// The pipeline for a capture with what is given of it, and its inputs: the whole, or a first answer that
 /// is `followed` by the whole, or that the whole left `unfinished`.

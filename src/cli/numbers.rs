@@ -40,8 +40,29 @@ impl Numbers {
     }
 }
 
-/// A number in its key's unit.
+/// A number in its key's unit, if it can be.
 fn value(known: &Known, text: &str) -> Result<toml::Value, String> {
+    let value = read(known, text)?;
+    let number = value.as_float().or(value.as_integer().map(|n| n as f64));
+    let (least, most) = (known.least, known.most);
+    let believed = |number: f64| (least..=most).contains(&number);
+    if number.is_some_and(believed) {
+        return Ok(value);
+    }
+    let unit = match known.of {
+        Quantity::Length(unit) | Quantity::Number(unit) => unit,
+        Quantity::Weight => "kg",
+        Quantity::Age => "years",
+        Quantity::Count => "",
+    };
+    let bare = text.trim().parse::<f64>().ok();
+    let metres = bare.filter(|n| known.of == Quantity::Length("cm") && believed(100.0 * n));
+    let hint = metres.map_or(String::new(), |n| format!("; did you mean {n}m?"));
+    let limits = format!("from {least} to {most} {unit}");
+    Err(format!("`{text}` is not {}{hint}", limits.trim_end()))
+}
+
+fn read(known: &Known, text: &str) -> Result<toml::Value, String> {
     let none = |like: &str| format!("`{text}` is not {like}");
     Ok(match known.of {
         Quantity::Length(unit) => {
@@ -89,5 +110,27 @@ impl Args for Numbers {
 
     fn augment_args_for_update(command: Command) -> Command {
         Numbers::augment_args(command)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_that_cannot_be_is_refused_with_its_limits_and_the_unit_that_may_be_meant() {
+        let known = |flag: &str| KNOWN.iter().find(|known| known.flag == flag).unwrap();
+        let wrong = |flag: &str, text: &str| value(known(flag), text).unwrap_err();
+        assert_eq!(
+            wrong("stature", "1.76"),
+            "`1.76` is not from 10 to 300 cm; did you mean 1.76m?"
+        );
+        assert_eq!(wrong("weight", "560"), "`560` is not from 0.5 to 500 kg");
+        assert_eq!(wrong("views", "-1"), "`-1` is not from 0 to 10000");
+        assert_eq!(wrong("focal", "wide"), "`wide` is not a number");
+        assert_eq!(
+            value(known("stature"), "1.76m").unwrap().as_float(),
+            Some(176.0)
+        );
     }
 }

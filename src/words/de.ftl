@@ -255,6 +255,7 @@ screen-found = { $count ->
     [one] ein Foto mit { $size } Megapixeln
    *[other] { $count } Fotos mit je { $size } Megapixeln
 }
+screen-own-masks = Masken ihres Ordners
 screen-video = aus einem Video
 screen-scan = eine Oberfläche aus einer Datei
 screen-mat = eine Matte mit { $count } Marken
@@ -316,6 +317,7 @@ fail-mixed-sizes = die Fotos sind verschieden groß, aber eine einzige Kamera mu
 fail-no-beginning = keine zwei Fotos haben für den Anfang genug gemeinsam: in kleineren Schritten fotografieren, mit mehr Struktur oder mit einer gedruckten Markenmatte auf der Scheibe
 fail-no-body = die Oberfläche ist leer oder liegt unter dem Boden, es gibt also keinen Körper zu messen: die Umrisse ansehen
 fail-no-images = als Fotos sind { $pattern } angegeben, aber { $found }: berichtigen oder weglassen{ $below }
+fail-no-photos = in { $folder } sind keine Fotos (JPEG, PNG oder TIFF): die der Drehung hineinlegen
 fail-no-picture = { $name } ist kein lesbares Bild ({ $why }); noch einmal als JPEG, PNG oder TIFF speichern oder weglassen
 fail-no-plate = es gibt kein Foto der leeren Szene, und ohne Kameras lässt sich der Körper nicht vom Raum trennen: ein Foto derselben Szene ohne die Person aufnehmen
 fail-no-ring = die Kameras liegen { $off } neben einem Ring, also ist ihnen nicht zu trauen: Ging die Kamera um eine stehende Person herum (dann oben angeben)? Sind die Fotos in der Reihenfolge der Drehung und die Schritte unter 25°? Brennweite, Schritte der Drehung oder eine gedruckte Markenmatte auf der Scheibe helfen

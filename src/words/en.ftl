@@ -255,6 +255,7 @@ screen-found = { $count ->
     [one] one photo of { $size } megapixels
    *[other] { $count } photos of { $size } megapixels
 }
+screen-own-masks = masks of its folder
 screen-video = from a video
 screen-scan = a surface from a file
 screen-mat = a mat of { $count } tags
@@ -316,6 +317,7 @@ fail-mixed-sizes = photos are of several sizes, but one camera must take all of 
 fail-no-beginning = no two photos have enough in common to begin with: photograph at smaller steps, with more texture, or with a printed mat of tags on the disk
 fail-no-body = the surface is empty or below the ground, so there is no body to measure: look at the outlines
 fail-no-images = the photos were given as { $pattern }, but { $found }: correct it, or leave it out{ $below }
+fail-no-photos = there are no photos in { $folder } (JPEG, PNG or TIFF): copy those of the turn there
 fail-no-plate = there is no photo of the empty scene, and without cameras the body cannot be separated from the background: take one photo of the same scene without the person
 fail-no-ring = the cameras came out { $off } off a ring, so they are not to be trusted: was the camera walked around somebody who did not move (then mark it above)? Are the photos in turning order and the steps below 25°? The focal length, the steps of the turn, or a printed mat of tags on the disk help
 fail-no-subject = { $name }: nothing in it differs from the empty scene: is the person in it, or was the camera moved after the photo of the empty scene?

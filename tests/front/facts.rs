@@ -44,7 +44,8 @@ fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
     let place = turn();
     place.write("mat.txt", "a mat, but no word of it");
     for (flags, says) in [
-        ("--stature 1780", "`--stature 1780`"),
+        ("--stature 1780", "`1780` is not from 10 to 300 cm"),
+        ("--stature 1.78", "did you mean 1.78m?"),
         ("--stature tall", "--stature: `tall` is not a length"),
         ("--weight 80cm", "--weight: `80cm` is not a weight"),
         ("--steps 0", "--steps 0"),

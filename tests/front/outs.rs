@@ -153,6 +153,7 @@ fn the_results_of_two_captures_do_not_get_into_one_folder_unasked() {
     for capture in ["p1/scan", "p2/scan"] {
         place.write(&format!("{capture}/letter.txt"), "no photo");
     }
+    place.write("p2/scan/0000.jpg", "no photo");
     // Whose a folder is stands in its run.json: here of the first, as `run` writes it.
     place.photos("p1/scan", 3);
     place.write("turn.toml", TURN);
@@ -253,4 +254,33 @@ fn two_processes_with_one_folder_end_well() {
             ["body.ply", "run.json", "sway.artifact"]
         );
     }
+}
+
+#[test]
+fn what_is_somebody_elses_is_not_replaced_nor_taken_for_results() {
+    let place = Place::sharing();
+    place.photos("turn", 12);
+    place.photos("another", 12);
+    place.write("mine/report.html", "my own");
+    place.write("words/notes.txt", "beside");
+    for (out, file) in [
+        ("another", "another/0000.jpg"),
+        ("mine", "mine/report.html"),
+    ] {
+        let printed = place
+            .run(&format!("measure turn --fast --out {out}"))
+            .code(2);
+        let wrong = format!("{file} was not written by tailor");
+        assert!(printed.err.contains(&wrong), "{}", printed.err);
+        assert!(!place.path(out).join("masks").exists());
+    }
+    // What is read is named before it is used, and an empty folder has no photos.
+    place.write("another/masks/0000.png", "x");
+    let printed = place.run("measure another --fast --out o").err;
+    assert!(printed.contains("masks of its"), "{printed}");
+    let printed = place.run("measure words").code(2).err;
+    assert!(
+        printed.contains("there are no photos in words"),
+        "{printed}"
+    );
 }
