@@ -153,6 +153,9 @@ fn look(shared: &Weak<Shared>) {
 impl Measured<'_> {
     /// What it took until now.
     pub(crate) fn end(self) -> Spent {
+        if self.id.is_none() {
+            return Spent::default();
+        }
         let mut state = self.meter.0.lock();
         state.part();
         let own = state.running.iter().find(|(id, _)| Some(*id) == self.id);
