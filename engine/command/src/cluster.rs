@@ -272,7 +272,7 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
 /// `cancel`: ends what is alive; what is done stays.
 pub(crate) fn cancel(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let (name, plan) = Plan::read(&store, &asked.plan).map_err(Fault::input)?;
+    let (name, plan) = Plan::read(&store, &asked.plan).map_err(Fault::plan)?;
     if let Engine::Dask(address) = &asked.engine {
         return dask::cancel(address, &name, global);
     }

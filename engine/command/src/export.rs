@@ -38,7 +38,7 @@ pub(crate) struct Export {
 /// `export`: a plan as rules for another engine, one a strand.
 pub(crate) fn export(args: &Export, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let (name, plan) = Plan::read(&store, &args.plan).map_err(Fault::input)?;
+    let (name, plan) = Plan::read(&store, &args.plan).map_err(Fault::plan)?;
     let rules = cluster::Rules {
         called: global.program().name,
         name: &name,

@@ -1,6 +1,8 @@
 //! Why a verb came to nothing.
 
 use engine::recipe::Mistakes;
+use engine::store::StoreError;
+use engine::strands::PlanError;
 use serde_json::{Map, Value, json};
 use stage::Message;
 
@@ -40,6 +42,14 @@ impl Fault {
         Fault {
             mistakes: Some(Box::new(mistakes)),
             ..Fault::input(text)
+        }
+    }
+
+    /// A plan cannot be used.
+    pub(super) fn plan(why: PlanError) -> Fault {
+        match why {
+            PlanError::Store(why @ StoreError::Disk { .. }) => Fault::stage(why),
+            why => Fault::input(why),
         }
     }
 

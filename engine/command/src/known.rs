@@ -16,7 +16,7 @@ pub(super) struct Known {
 /// Reads a plan, and looks at the store for what is done of it.
 pub(super) fn known(name: &str, global: &GlobalArgs) -> Result<Known, Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let (name, plan) = Plan::read(&store, name).map_err(Fault::input)?;
+    let (name, plan) = Plan::read(&store, name).map_err(Fault::plan)?;
     let pipeline = strands::pipeline(&plan, global.catalog()).map_err(Fault::input)?;
     let strands = cluster::state(&plan, &pipeline, &store).map_err(Fault::input)?;
     Ok(Known {

@@ -191,7 +191,7 @@ impl Watch for Ear<'_> {
 pub(crate) fn work(work: &Work, global: &GlobalArgs) -> Result<(), Fault> {
     let places = places(&work.strand)?;
     let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let (_, plan) = Plan::read(&store, &work.plan).map_err(Fault::input)?;
+    let (_, plan) = Plan::read(&store, &work.plan).map_err(Fault::plan)?;
     let pipeline = strands::pipeline(&plan, global.catalog()).map_err(Fault::input)?;
     let options = options(global, true);
     let differ = Mutex::new(Vec::new());

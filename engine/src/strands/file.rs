@@ -9,7 +9,7 @@ use crate::pattern::stays_inside;
 use crate::store::{Store, StoreError};
 use serde::{Deserialize, Serialize};
 use stage::{FileEntry, Files, Hash};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Raise it whenever a plan of before would be read as something else.
 const VERSION: u32 = 1;
@@ -153,13 +153,18 @@ impl Plan {
         if named {
             store.bring_plan(name)?;
         }
-        let found = own::files(store.root(), FOLDER, fits).unwrap_or_default();
+        let folder = store.root().join(FOLDER);
+        let refused = |path: &Path| {
+            let path = path.to_owned();
+            |why| StoreError::Disk { path, why }
+        };
+        let found = own::files(store.root(), FOLDER, fits).map_err(refused(&folder))?;
         let [whole] = found.as_slice() else {
             return Err(PlanError::None(name.into(), store.root().into()));
         };
-        let path = store.root().join(FOLDER).join(whole);
+        let path = folder.join(whole);
         let corrupt = |why: String| PlanError::Corrupt(whole.clone(), why);
-        let bytes = std::fs::read(&path).map_err(|e| corrupt(e.to_string()))?;
+        let bytes = std::fs::read(&path).map_err(refused(&path))?;
         if stage::hash(&bytes).to_hex().as_str() != whole {
             return Err(corrupt("its bytes are not those of its name".into()));
         }

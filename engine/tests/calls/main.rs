@@ -216,3 +216,36 @@ fn nothing_runs_that_was_not_allowed_whatever_call_fails() {
         },
     );
 }
+
+/// Exit codes of a line as it is, and where what has a name cannot be opened.
+fn shut(place: &Place, line: &str, name: &'static str) -> [Option<i32>; 2] {
+    [Fault::None, Fault::Shut(name)].map(|fault| {
+        place.begin();
+        let ended = place.asked(line, fault);
+        assert_eq!(ended.call.is_some(), fault != Fault::None, "{ended:?}");
+        ended.code
+    })
+}
+
+#[test]
+fn a_plan_that_cannot_be_looked_for_is_not_one_that_is_not_there() {
+    let place = Place::new();
+    place.sound("run PROGRAM --input IN=OTHER --allow-exec --quiet");
+    place.sound("plan PROGRAM --strands --input IN=OTHER");
+    place.is_base();
+    assert_eq!(
+        shut(&place, "cluster status PLAN", "plans"),
+        [Some(0), Some(1)]
+    );
+}
+
+#[cfg(feature = "remote")]
+#[test]
+fn what_waits_and_cannot_be_looked_for_is_not_taken_for_nothing() {
+    let place = Place::new();
+    std::fs::create_dir(place.at("store")).unwrap();
+    place.sound("run PROGRAM --input IN=OTHER --allow-exec --quiet --store STORE");
+    place.is_base();
+    let line = "cache push --store STORE --store-wait 5";
+    assert_eq!(shut(&place, line, "waiting"), [Some(0), Some(1)]);
+}

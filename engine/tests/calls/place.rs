@@ -91,6 +91,8 @@ impl Place {
             "IN=FIRST" => format!("texts={}", path(NEEDLES[1])),
             "IN=OTHER" => format!("texts={}", path("other")),
             "OUT" => path("out"),
+            "STORE" => format!("file://{}", path("store")),
+            "PLAN" => self.plan(),
             word => word.to_owned(),
         };
         let all = format!("words {line} --cache {}", path("cache"));
@@ -146,6 +148,18 @@ impl Place {
         let mut bytes = fs::read(&first).unwrap();
         bytes.pop();
         fs::write(&first, bytes).unwrap();
+    }
+
+    /// The names of all files in a folder and below it.
+    pub(crate) fn names(&self, folder: &str) -> BTreeSet<String> {
+        let name = |path: PathBuf| path.file_name()?.to_str().map(str::to_owned);
+        let all = below(&self.at(folder)).into_iter();
+        all.filter_map(name).collect()
+    }
+
+    /// The name of a plan.
+    fn plan(&self) -> String {
+        self.names("cache/plans").pop_first().expect("a plan")
     }
 
     /// Everything in the cache is what it should be.

@@ -13,6 +13,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread::JoinHandle;
 use std::time::Duration;
 
 /// What happens at a call.
@@ -24,6 +25,8 @@ pub(crate) enum Fault {
     Fails(usize),
     /// Before that one the process is killed.
     Killed(usize),
+    /// Whatever has that name cannot be opened.
+    Shut(&'static str),
 }
 
 /// How a process ended.
@@ -37,6 +40,8 @@ pub(crate) struct Ended {
     pub(crate) call: Option<u64>,
     /// What it wrote to standard output.
     pub(crate) output: String,
+    /// What it wrote to standard error: why it failed.
+    pub(crate) errors: String,
 }
 
 /// Memory, threads that wait for each other, time, signals, and the end: they do not fail, or nobody can go on.
@@ -92,7 +97,7 @@ pub(crate) fn run(words: &[String], state: &str, fault: Fault) -> Ended {
         .env("CALLS_STATE", state)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
-        .stderr(Stdio::null())
+        .stderr(Stdio::piped())
         .spawn()
         .unwrap();
     let mut out = BufReader::new(child.stdout.take().unwrap());
@@ -105,11 +110,7 @@ pub(crate) fn run(words: &[String], state: &str, fault: Fault) -> Ended {
             panic!("it hangs");
         }
     });
-    let reader = std::thread::spawn(move || {
-        let mut output = String::new();
-        let _ = out.read_to_string(&mut output);
-        output
-    });
+    let (output, errors) = (all(out), all(child.stderr.take().unwrap()));
     let mut ended = watched(&mut child, worker, fault);
     drop(done);
     assert!(
@@ -117,8 +118,18 @@ pub(crate) fn run(words: &[String], state: &str, fault: Fault) -> Ended {
         "{words:?} hangs at {fault:?} ({:?})",
         ended.call
     );
-    ended.output = reader.join().unwrap();
+    ended.output = output.join().unwrap();
+    ended.errors = errors.join().unwrap();
     ended
+}
+
+/// Reads all that comes, beside the rest.
+fn all(mut from: impl Read + Send + 'static) -> JoinHandle<String> {
+    std::thread::spawn(move || {
+        let mut text = String::new();
+        let _ = from.read_to_string(&mut text);
+        text
+    })
 }
 
 /// The number of the thread that works, which waits to be started.
@@ -144,9 +155,10 @@ fn watched(child: &mut Child, worker: Pid, fault: Fault) -> Ended {
         calls: 0,
         call: None,
         output: String::new(),
+        errors: String::new(),
     };
     // Threads that are in a call, and whether it is to fail.
-    let (mut inside, mut fails): (BTreeSet<Pid>, Option<Pid>) = (BTreeSet::new(), None);
+    let (mut inside, mut fails): (BTreeSet<Pid>, BTreeSet<Pid>) = Default::default();
     let mut started = false;
     let main = Pid::from_raw(child.id() as i32);
     loop {
@@ -161,8 +173,7 @@ fn watched(child: &mut Child, worker: Pid, fault: Fault) -> Ended {
             }
             WaitStatus::Signaled(id, ..) if id == main => return ended,
             WaitStatus::PtraceSyscall(id) if inside.remove(&id) => {
-                if fails == Some(id) {
-                    fails = None;
+                if fails.remove(&id) {
                     let _ = answer(id, |regs| regs.rax = -i64::from(c::EIO) as u64);
                 }
                 let _ = ptrace::syscall(id, None);
@@ -172,6 +183,14 @@ fn watched(child: &mut Child, worker: Pid, fault: Fault) -> Ended {
                 let Ok(regs) = ptrace::getregs(id) else {
                     continue;
                 };
+                if let Fault::Shut(name) = fault
+                    && regs.orig_rax == c::SYS_openat as u64
+                    && opens(id, regs.rsi, name)
+                {
+                    ended.call = Some(regs.orig_rax);
+                    fails.insert(id);
+                    let _ = answer(id, |regs| regs.orig_rax = u64::MAX);
+                }
                 if !NOT_COUNTED.contains(&(regs.orig_rax as c::c_long)) {
                     let number = ended.calls;
                     ended.calls += 1;
@@ -182,7 +201,7 @@ fn watched(child: &mut Child, worker: Pid, fault: Fault) -> Ended {
                     }
                     if fault == Fault::Fails(number) {
                         ended.call = Some(regs.orig_rax);
-                        fails = Some(id);
+                        fails.insert(id);
                         // What fails to close is closed all the same.
                         if regs.orig_rax != c::SYS_close as u64 {
                             let _ = answer(id, |regs| regs.orig_rax = u64::MAX);
@@ -209,4 +228,18 @@ fn answer(id: Pid, change: impl FnOnce(&mut c::user_regs_struct)) -> nix::Result
     let mut regs = ptrace::getregs(id)?;
     change(&mut regs);
     ptrace::setregs(id, regs)
+}
+
+/// Whether the path at an address of a thread that is stopped ends with a name.
+fn opens(id: Pid, mut address: u64, name: &str) -> bool {
+    let mut path = Vec::new();
+    while !path.contains(&0) && path.len() < c::PATH_MAX as usize {
+        let Ok(word) = ptrace::read(id, address as ptrace::AddressType) else {
+            return false;
+        };
+        path.extend(word.to_ne_bytes());
+        address += size_of_val(&word) as u64;
+    }
+    let path = path.split(|byte| *byte == 0).next().unwrap_or_default();
+    path.rsplit(|byte| *byte == b'/').next() == Some(name.as_bytes())
 }
