@@ -187,13 +187,31 @@ fn objects_of_a_shared_folder_are_for_its_owner_unless_it_is_shared() {
     modes(0o660);
 }
 
+/// Answers with a byte at a time, sixty-four a second.
+fn drip(mut stream: std::net::TcpStream) {
+    use std::io::{Read, Write};
+    let _ = stream.read(&mut [0; 4096]);
+    let head = "HTTP/1.1 200 OK\r\nContent-Length: 4000\r\nETag: \"a\"\r\n\
+                Last-Modified: Tue, 01 Jan 2030 00:00:00 GMT\r\n\r\n";
+    let _ = stream.write_all(head.as_bytes());
+    while stream.write_all(b"a").is_ok() {
+        std::thread::sleep(Duration::from_secs(1) / 64);
+    }
+}
+
 #[test]
-fn a_store_that_never_answers_costs_no_more_than_was_said() {
+fn a_store_that_never_answers_or_drips_costs_no_more_than_was_said() {
+    // Taken, and never answered.
+    delayed(std::mem::forget);
+    delayed(|stream| _ = std::thread::spawn(|| drip(stream)));
+}
+
+/// Runs with a store that does this with whoever asks it.
+fn delayed(answers: impl Fn(std::net::TcpStream) + Send + 'static) {
     let place = Place::new();
     let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();
-    // Taken, and never answered.
-    std::thread::spawn(move || listener.incoming().flatten().for_each(std::mem::forget));
+    std::thread::spawn(move || listener.incoming().flatten().for_each(answers));
     let begun = Instant::now();
     let printed = place.bash(&format!(
         "AWS_ACCESS_KEY_ID=a AWS_SECRET_ACCESS_KEY=b AWS_REGION=us-east-1 AWS_ALLOW_HTTP=true \

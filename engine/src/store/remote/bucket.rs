@@ -7,6 +7,7 @@
 use super::answer::{absent, plain, trouble};
 use super::clients::{ADDRESSES, of_scheme};
 use super::objects::{Created, Got, Object, Objects, Trouble};
+use super::pace::Pace;
 use super::patience::Patience;
 use crate::system::{self, FileKind, nofollow};
 use futures_util::{StreamExt, TryStreamExt};
@@ -49,8 +50,10 @@ pub fn open(address: &str, patience: Patience) -> Result<Box<dyn Objects>, Troub
     if bucket.is_empty() {
         return Err(refuse(ADDRESSES));
     }
-    let store = of_scheme(scheme, bucket, patience.of_an_answer())?;
-    let writes = of_scheme(scheme, bucket, Patience::default().of_a_large_answer())?;
+    let (answer, large) = (patience.of_an_answer(), patience.of_a_large_answer());
+    let pace = Pace::of(answer);
+    let store = of_scheme(scheme, bucket, answer, &pace)?;
+    let writes = of_scheme(scheme, bucket, large, &pace)?;
     let name = match prefix {
         "" => format!("{scheme}://{bucket}"),
         _ => format!("{scheme}://{bucket}/{prefix}"),

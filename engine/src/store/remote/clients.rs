@@ -2,6 +2,7 @@
 
 use super::answer::plain;
 use super::objects::Trouble;
+use super::pace::{Connector, Pace};
 use super::profile;
 use object_store::aws::AmazonS3Builder;
 use object_store::azure::MicrosoftAzureBuilder;
@@ -12,16 +13,22 @@ use std::time::Duration;
 /// What is said of an address that is none.
 pub(super) const ADDRESSES: &str = "its address is none: give s3://BUCKET/PREFIX, gs://BUCKET/PREFIX, az://CONTAINER/PREFIX or file:///FOLDER";
 
-/// A bucket whose answers are waited for so long.
+/// A bucket whose answers are waited for so long, and come at a pace.
 pub(super) fn of_scheme(
     scheme: &str,
     bucket: &str,
     answer: Duration,
+    pace: &Pace,
 ) -> Result<Box<dyn ObjectStore>, Trouble> {
+    let paced = || Connector {
+        pace: pace.clone(),
+        answer,
+    };
     let store: Result<Box<dyn ObjectStore>, _> = match scheme {
         "s3" => amazon()?
             .with_bucket_name(bucket)
             .with_client_options(client(answer))
+            .with_http_connector(paced())
             .with_allow_http(allowed())
             .with_retry(retry(answer))
             .build()
@@ -29,12 +36,14 @@ pub(super) fn of_scheme(
         "gs" => GoogleCloudStorageBuilder::from_env()
             .with_bucket_name(bucket)
             .with_client_options(client(answer))
+            .with_http_connector(paced())
             .with_retry(retry(answer))
             .build()
             .map(|s| Box::new(s) as _),
         "az" => MicrosoftAzureBuilder::from_env()
             .with_container_name(bucket)
             .with_client_options(client(answer))
+            .with_http_connector(paced())
             .with_allow_http(allowed())
             .with_retry(retry(answer))
             .build()
@@ -80,12 +89,11 @@ fn allowed() -> bool {
 fn client(answer: Duration) -> ClientOptions {
     ClientOptions::new()
         .with_connect_timeout(answer.min(Duration::from_secs(5)))
-        // From one byte to the next; a large result may take its time.
-        .with_read_timeout(answer)
+        // A large result may take its time, at a pace.
         .with_timeout(Duration::from_secs(600))
 }
 
-fn retry(answer: Duration) -> RetryConfig {
+pub(super) fn retry(answer: Duration) -> RetryConfig {
     RetryConfig {
         backoff: BackoffConfig {
             init_backoff: Duration::from_millis(50),

@@ -35,6 +35,8 @@ mod known;
 mod link;
 mod listing;
 mod objects;
+#[cfg(feature = "remote")]
+mod pace;
 mod patience;
 mod paused;
 mod plans;
