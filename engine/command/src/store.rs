@@ -117,15 +117,16 @@ pub(super) fn sweep(
         crate::outln!(
             "{}",
             json!({ "store": shared.name(), "records": swept.records, "blobs": swept.blobs,
-                "plans": swept.plans, "bytes": swept.bytes, "dry_run": dry_run })
+                "plans": swept.plans, "cut_off": swept.cut_off, "bytes": swept.bytes, "dry_run": dry_run })
         );
         return Ok(());
     }
     let verb = if dry_run { "would remove" } else { "removed" };
     crate::outln!(
-        "{verb} {}, {}, {:.1} MiB",
+        "{verb} {}, {}, {} cut off, {:.1} MiB",
         count(swept.records, "result"),
         count(swept.plans, "plan"),
+        count(swept.cut_off, "upload"),
         mib(swept.bytes)
     );
     Ok(())

@@ -6,14 +6,16 @@
 
 use super::answer::{absent, plain, trouble};
 use super::clients::{ADDRESSES, of_scheme};
+use super::cut_off;
 use super::objects::{Created, Got, Object, Objects, Trouble};
 use super::pace::Pace;
 use super::patience::Patience;
-use crate::system::{self, FileKind, nofollow};
+use crate::system;
 use futures_util::{StreamExt, TryStreamExt};
 use object_store::local::LocalFileSystem;
 use object_store::path::Path;
 use object_store::{ObjectStore, ObjectStoreExt, PutMode, PutOptions, PutPayload};
+use std::time::SystemTime;
 use tokio::runtime::Runtime;
 
 /// A bucket, or a folder on a disk that machines share.
@@ -108,26 +110,6 @@ impl Bucket {
         if let Some(folder) = &self.folder {
             system::shared_file(folder, name);
         }
-    }
-
-    /// Removes what a process that was killed left of an object in a folder: `NAME#1`, which no list has.
-    fn remove_cut_off(&self, name: &str) -> std::io::Result<()> {
-        let Some(root) = &self.folder else {
-            return Ok(());
-        };
-        let mut folders: Vec<&str> = name.split('/').collect();
-        let name = folders.pop().unwrap_or_default();
-        let at = match nofollow::folder(root, &folders) {
-            Err(why) if nofollow::is_absent(&why) => return Ok(()),
-            at => at?,
-        };
-        let is_part = |file: &str| file.split_once('#').is_some_and(|(of, _)| of == name);
-        for part in nofollow::inside(&at, FileKind::File, is_part)? {
-            if !nofollow::remove(&at, &part) {
-                return Err(std::io::Error::other(format!("{part} cannot be removed")));
-            }
-        }
-        Ok(())
     }
 
     fn path(&self, name: &str) -> Path {
@@ -231,14 +213,27 @@ impl Objects for Bucket {
     }
 
     fn remove(&self, name: &str) -> Result<(), Trouble> {
-        let parts = self.remove_cut_off(name);
-        parts.map_err(|why| Trouble::Refused(why.to_string()))?;
+        let parts = self
+            .folder
+            .as_ref()
+            .map(|root| cut_off::remove_of(root, name));
+        parts.transpose().map_err(refused)?;
         let path = self.path(name);
         match self.runtime.block_on(self.store.delete(&path)) {
             Ok(()) => Ok(()),
             Err(error) => absent(&error),
         }
     }
+
+    fn sweep_cut_off(&self, before: SystemTime, looks: bool) -> Result<(usize, u64), Trouble> {
+        let swept = |root| cut_off::sweep(root, before, looks);
+        let swept = self.folder.as_deref().map(swept);
+        Ok(swept.transpose().map_err(refused)?.unwrap_or_default())
+    }
+}
+
+fn refused(why: std::io::Error) -> Trouble {
+    Trouble::Refused(why.to_string())
 }
 
 #[cfg(test)]
@@ -262,5 +257,30 @@ mod tests {
         objects.remove("cas/ab/abd").unwrap();
         objects.remove("cas/cd/cde").unwrap();
         assert!(!file("abd#1").exists());
+    }
+
+    #[test]
+    fn what_was_cut_off_and_nobody_knows_is_swept_once_it_is_old() {
+        let place = tempfile::tempdir().unwrap();
+        let address = format!("file://{}", place.path().display());
+        let objects = open(&address, Patience::default()).unwrap();
+        let hash = "ab".repeat(32);
+        let parts = ["format#1", "cas/ab/HASH#2", "plans/HASH.seal#1"];
+        let strange = ["notes#1", "cas/ab/notes#1", "mine/HASH#1", "cas/ab/HASH"];
+        let path = |name: &str| place.path().join(name.replace("HASH", &hash));
+        for name in parts.iter().chain(&strange) {
+            std::fs::create_dir_all(path(name).parent().unwrap()).unwrap();
+            std::fs::write(path(name), "half").unwrap();
+        }
+        let written = |name: &str| path(name).metadata().unwrap().modified().unwrap();
+        let begun = parts.map(written).into_iter().min().unwrap();
+        let later = begun + std::time::Duration::from_secs(3600);
+        let there = || parts.map(|name| path(name).exists());
+        assert_eq!(objects.sweep_cut_off(begun, false), Ok((0, 0)));
+        assert_eq!(objects.sweep_cut_off(later, true), Ok((3, 12)));
+        assert_eq!(there(), [true; 3]);
+        assert_eq!(objects.sweep_cut_off(later, false), Ok((3, 12)));
+        assert_eq!(there(), [false; 3]);
+        assert!(strange.iter().all(|name| path(name).exists()));
     }
 }

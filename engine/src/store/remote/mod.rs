@@ -19,6 +19,8 @@ mod believed;
 mod bucket;
 #[cfg(feature = "remote")]
 mod clients;
+#[cfg(feature = "remote")]
+mod cut_off;
 #[cfg(any(test, feature = "remote"))]
 mod day;
 mod forget;

@@ -91,6 +91,16 @@ pub trait Objects: Send + Sync {
     ///
     /// The place does not answer, or refuses.
     fn remove(&self, name: &str) -> Result<(), Trouble>;
+
+    /// What uploads that were cut off before some time left, which no list has: how many, and their size. \[bytes\]
+    /// It goes, unless it is only looked for. Where objects are whole or not there, there is none.
+    ///
+    /// # Errors
+    ///
+    /// It is still there.
+    fn sweep_cut_off(&self, _: SystemTime, _looks: bool) -> Result<(usize, u64), Trouble> {
+        Ok((0, 0))
+    }
 }
 
 /// The bytes of an object of so many at most; `None` if there is none.

@@ -32,12 +32,14 @@ pub struct SweptThere {
     pub blobs: usize,
     /// Plans.
     pub plans: usize,
+    /// Uploads that were cut off.
+    pub cut_off: usize,
     /// Size of all. \[bytes\]
     pub bytes: u64,
 }
 
 /// What is swept, in this order: a record never outlives its blob for long.
-const FOLDERS: [&str; 4] = ["ac", "cas", "plans", "probe"];
+pub(super) const FOLDERS: [&str; 4] = ["ac", "cas", "plans", "probe"];
 
 impl Sharing {
     /// Looks at the place.
@@ -113,6 +115,9 @@ impl Link {
         }
         let plans = going[2].iter().filter(|o| !o.name.ends_with(".seal"));
         (swept.records, swept.blobs, swept.plans) = (going[0].len(), going[1].len(), plans.count());
+        let (cut_off, bytes) = objects.sweep_cut_off(before, dry_run)?;
+        swept.cut_off = cut_off;
+        swept.bytes += bytes;
         if dry_run || going.iter().all(Vec::is_empty) {
             return Ok(swept);
         }
