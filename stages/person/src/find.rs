@@ -2,7 +2,7 @@
 
 use crate::body::Networks;
 use crate::odd::odd;
-use crate::turn::followed;
+use crate::turn::{NotFound, followed, not_found};
 use rayon::prelude::*;
 use shape::{Found, People, Photo, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};
@@ -26,7 +26,7 @@ pub struct FindPeople;
 
 impl Stage for FindPeople {
     const NAME: &'static str = "silhouette.person";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Finds the person on each photo by two learned networks: a coarse mask and joints, and whether the photos agree that it is a person.";
     type Params = FindPeopleParams;
     type Input = FindPeopleInput;
@@ -38,16 +38,18 @@ impl Stage for FindPeople {
         let steps = ctx.steps("photos", all.len());
         let one = |(id, photo): &(PhotoId, &Photo)| -> Result<(PhotoId, Vec<Found>), Stop> {
             let only: People = ctx.part("photo", &[photo.content()], || {
-                let found = networks.people(&photo.decode()?);
-                Ok(People {
-                    views: [(PhotoId(0), found)].into_iter().collect(),
-                    person: false,
-                })
+                Ok(of_one_photo(networks.people(&photo.decode()?)))
             })?;
             steps.tick()?;
             Ok((*id, only.views.get(PhotoId(0)).cloned().unwrap_or_default()))
         };
-        let views = all.par_iter().map(one).collect::<Result<Vec<_>, Stop>>()?;
+        let mut views = all.par_iter().map(one).collect::<Result<Vec<_>, Stop>>()?;
+        // Where the first network finds nobody like the one on most photos, the second looks where that one is on these.
+        if let Some(missing) = not_found(&views) {
+            for (k, found) in looked_for(&networks, &missing, &all, ctx)? {
+                views[k].1 = found;
+            }
+        }
         let all = followed(views.into_iter().collect());
         // Of things nothing is said: most captures of them are meant.
         if all.person {
@@ -56,5 +58,43 @@ impl Stage for FindPeople {
         }
         let (views, person) = (all.views, all.person);
         Ok(People { views, person })
+    }
+}
+
+/// Everybody on photos that show the one who turns, though that one was not found on them; by the photos' places.
+fn looked_for(
+    networks: &Networks,
+    missing: &NotFound,
+    all: &[(PhotoId, &Photo)],
+    ctx: &Ctx<'_>,
+) -> Result<Vec<(usize, Vec<Found>)>, Stop> {
+    let NotFound {
+        photos,
+        square,
+        presence,
+    } = missing;
+    let place = stage::hash(format!("{square:?} {presence:?}").as_bytes());
+    let one = |k: &usize| -> Result<Option<(usize, Vec<Found>)>, Stop> {
+        let photo = all[*k].1;
+        let only: People = ctx.part("photo again", &[photo.content(), place], || {
+            let found = networks.people_with(&photo.decode()?, square, *presence);
+            Ok(of_one_photo(found.unwrap_or_default()))
+        })?;
+        let found = only.views.get(PhotoId(0)).cloned().unwrap_or_default();
+        Ok((!found.is_empty()).then_some((*k, found)))
+    };
+    let found = photos.par_iter().map(one);
+    Ok(found
+        .collect::<Result<Vec<_>, Stop>>()?
+        .into_iter()
+        .flatten()
+        .collect())
+}
+
+/// What a part can be.
+fn of_one_photo(found: Vec<Found>) -> People {
+    People {
+        views: [(PhotoId(0), found)].into_iter().collect(),
+        person: false,
     }
 }

@@ -26,12 +26,7 @@ pub(crate) struct Followed {
 pub(crate) fn followed(views: ByPhoto<Vec<Found>>) -> Followed {
     let views: Vec<(PhotoId, Vec<Found>)> = views.iter().map(|(id, f)| (id, f.clone())).collect();
     let tracks = tracks(&views);
-    let least = (LEAST_SHARE * views.len() as f64).max(1.0);
-    let often = tracks
-        .iter()
-        .filter(|track| track.seen.len() as f64 >= least);
-    let most = often.max_by(|a, b| turning(a, &views).total_cmp(&turning(b, &views)));
-    let Some(most) = most else {
+    let Some(most) = turning_most(&tracks, &views) else {
         return Followed {
             views: views.into_iter().collect(),
             ..Followed::default()
@@ -55,6 +50,38 @@ pub(crate) fn followed(views: ByPhoto<Vec<Found>>) -> Followed {
     };
     all.views = views.into_iter().zip(places).map(one).collect();
     all
+}
+
+/// The one who turns, for photos on which that one is not found.
+pub(crate) struct NotFound {
+    /// The places of these photos among all.
+    pub(crate) photos: Vec<usize>,
+    /// Where that one is on all the rest.
+    pub(crate) square: Crop,
+    /// How surely at least the network sees that one there: as somebody rather than nothing.
+    pub(crate) presence: f32,
+}
+
+/// Nothing where no one is on most photos.
+pub(crate) fn not_found(views: &[(PhotoId, Vec<Found>)]) -> Option<NotFound> {
+    let tracks = tracks(views);
+    let most = turning_most(&tracks, views)?;
+    let found = |photo: &usize| most.seen.iter().any(|(seen, _)| seen == photo);
+    let presence = |(photo, k): &(usize, usize)| views[*photo].1[*k].presence;
+    Some(NotFound {
+        photos: (0..views.len()).filter(|photo| !found(photo)).collect(),
+        square: most.middle,
+        presence: most.seen.iter().map(presence).fold(1.0, f32::min),
+    })
+}
+
+/// Of those whom most photos show in the same place the one whose shoulders change most in width.
+fn turning_most<'a>(tracks: &'a [Track], views: &[(PhotoId, Vec<Found>)]) -> Option<&'a Track> {
+    let least = (LEAST_SHARE * views.len() as f64).max(1.0);
+    let often = tracks
+        .iter()
+        .filter(|track| track.seen.len() as f64 >= least);
+    often.max_by(|a, b| turning(a, views).total_cmp(&turning(b, views)))
 }
 
 /// Where the one who is followed is among those who are found, photo by photo. Whoever is never seen on a photo with that
@@ -185,6 +212,21 @@ mod tests {
         assert!(views.values().all(|f| f[0].crop.centre_px[0] < 420.0));
         assert_eq!(views.get(PhotoId(3)).unwrap().len(), 2);
         assert_eq!(beside, [PhotoId(3), PhotoId(4)]);
+    }
+
+    #[test]
+    fn who_is_not_found_on_a_photo_is_to_be_looked_for_where_most_photos_show_that_one() {
+        let views = turn(|i| match i {
+            7 => vec![found(900.0, 500.0, 0.6, 0.95)],
+            9 => vec![],
+            _ => vec![found(400.0 + i as f32, 800.0, 0.9, 0.99)],
+        });
+        let views: Vec<_> = views.iter().map(|(id, f)| (id, f.clone())).collect();
+        let missing = not_found(&views).unwrap();
+        assert_eq!(missing.photos, [7, 9]);
+        assert!((400.0..412.0).contains(&missing.square.centre_px[0]));
+        assert_eq!(missing.presence, 0.99);
+        assert!(not_found(&views[7..10]).is_none(), "one of three is nobody");
     }
 
     /// Somebody whose shoulders are so wide. \[px\]

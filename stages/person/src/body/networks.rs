@@ -1,10 +1,10 @@
 //! The two networks, and all people on a photo by them.
 
-use super::detect::detections;
-use super::pose::pose;
+use super::detect::{Detection, detections};
+use super::pose::{around_face, pose};
 use crate::net::{Network, Unreadable};
 use crate::same::{alike, present};
-use shape::{Found, Rgb};
+use shape::{Crop, Found, Rgb};
 
 /// The networks that find people.
 #[derive(Debug)]
@@ -29,7 +29,24 @@ impl Networks {
     /// Everybody on a photo, the surest of each look first. Who was found is painted over, and whoever is left is looked
     /// for again: of two who are side by side the network often sees one.
     pub fn people(&self, photo: &Rgb) -> Vec<Found> {
-        let mut all: Vec<Found> = Vec::new();
+        self.with_the_rest(photo, Vec::new())
+    }
+
+    /// The same of a photo on which the first network does not find who is in a square; nothing if the second sees
+    /// that one less surely than `presence`, or elsewhere.
+    pub fn people_with(&self, photo: &Rgb, square: &Crop, presence: f32) -> Option<Vec<Found>> {
+        let seen = Detection {
+            score: 0.0,
+            head_px: [0.0; 4],
+            crop: *square,
+        };
+        let mut found = pose(&self.landmarks, photo, &seen, &[]);
+        found.head_px = around_face(&found.joints);
+        let there = found.presence >= presence && alike(&found.crop, square);
+        there.then(|| self.with_the_rest(photo, vec![found]))
+    }
+
+    fn with_the_rest(&self, photo: &Rgb, mut all: Vec<Found>) -> Vec<Found> {
         loop {
             let seen = detections(&self.detector, photo, &all);
             let near = seen.iter().map(|d| pose(&self.landmarks, photo, d, &all));

@@ -11,6 +11,8 @@ const NUMBERS: usize = 5;
 /// The points from which the square is laid: the middle of the hips, and one on the circle around the body.
 const HIPS: usize = 33;
 const ABOVE: usize = 34;
+/// So many joints, the first, are the face's, structural.
+const FACE: usize = 11;
 
 /// Somebody, seen from near; without those who are hidden.
 pub(super) fn pose(network: &Network, photo: &Rgb, seen: &Detection, hidden: &[Found]) -> Found {
@@ -35,6 +37,15 @@ pub(super) fn pose(network: &Network, photo: &Rgb, seen: &Detection, hidden: &[F
         },
         joints: (0..Found::JOINTS.len()).map(|k| near.point(k)).collect(),
     }
+}
+
+/// Left, top, right and bottom of eyes, ears, nose and mouth. \[px\]
+pub(super) fn around_face(joints: &[Joint]) -> [f32; 4] {
+    let face = joints.iter().take(FACE).map(|joint| joint.at_px);
+    let first = [f32::MAX, f32::MAX, f32::MIN, f32::MIN];
+    face.fold(first, |[left, top, right, bottom], [x, y]| {
+        [left.min(x), top.min(y), right.max(x), bottom.max(y)]
+    })
 }
 
 /// What the network said of a square.

@@ -118,6 +118,29 @@ fn photos_without_with_two_cut_off_and_turned_people_are_named() {
 }
 
 #[test]
+fn somebody_whose_head_does_not_show_on_one_photo_is_seen_where_the_rest_show_that_one() {
+    let names = ["0000.jpg", "0003.jpg", "0006.jpg", "0009.jpg", "0012.jpg"];
+    let mut photos: Vec<Photo> = names
+        .iter()
+        .map(|name| photo(name, &sample(name)))
+        .collect();
+    let (people, _) = found(photos.clone());
+    let shoulders = |people: &People| people.subject(shape::PhotoId(2)).unwrap().joints[11].at_px;
+    let before = shoulders(&people);
+    let (plate, mut headless) = (sample("plate.jpg"), sample(names[2]));
+    let above = headless.width * before[1] as usize;
+    headless.data[..above].copy_from_slice(&plate.data[..above]);
+    photos[2] = photo("headless.png", &headless);
+    let (people, reported) = found(photos);
+    assert!(people.person && reported.is_empty(), "{reported:?}");
+    let after = shoulders(&people);
+    assert!(
+        (0..2).all(|k| (after[k] - before[k]).abs() < 40.0),
+        "{before:?} {after:?}"
+    );
+}
+
+#[test]
 fn a_thing_is_no_person_and_nothing_is_said() {
     let mut thing = Rgb::filled(800, 1200, [120, 130, 140]);
     for y in 500..900 {
