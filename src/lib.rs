@@ -31,6 +31,7 @@ pub(crate) const MESSAGES: &[&[stage::Template]] = &[
     cli::MESSAGES[0],
     cli::MESSAGES[1],
     cli::MESSAGES[2],
+    cli::MESSAGES[3],
     words::alike::MESSAGES,
     #[cfg(feature = "serve")]
     serve::MESSAGES,

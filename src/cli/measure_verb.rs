@@ -6,17 +6,26 @@ use super::measure_args::Measure;
 use super::measuring::{Measured, one};
 use super::provenance::called;
 use super::stated::Stated;
+use crate::catalog::is_photo;
 use crate::delivery::Delivery;
 use crate::store::Store;
 use command::{Fault, GlobalArgs, whose};
 use serde_json::{Value, json};
+use stage::message;
 use std::path::{Path, PathBuf};
+
+stage::messages! {
+    FILES = "fail-photos-one-by-one": "these are photos of one folder, each of which would be a capture: tailor measure {folder}";
+}
 
 /// `tailor measure`: each folder on its own; one that fails does not stop the rest.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let stated = measure.facts.stated()?;
     if measure.profile.is_some() && measure.folders.len() > 1 {
         return Err(Fault::input("--profile is of one run: give one folder"));
+    }
+    if let Some(folder) = one_folder(&measure.folders) {
+        return Err(Fault::coded(&message!(FILES, folder = folder)));
     }
     let global = &GlobalArgs {
         profile: measure.profile.clone(),
@@ -30,6 +39,20 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
         return Ok(());
     }
     many(measure, &stated, global)
+}
+
+/// The folder of which a shell handed over the photos one by one.
+fn one_folder(all: &[PathBuf]) -> Option<String> {
+    let first = all.first()?.parent()?;
+    let photo = |path: &PathBuf| {
+        let name = path.file_name().and_then(|name| name.to_str());
+        name.is_some_and(is_photo) && path.parent() == Some(first) && path.is_file()
+    };
+    let folder = match first.as_os_str().is_empty() {
+        true => ".".to_owned(),
+        false => first.display().to_string(),
+    };
+    (all.len() > 1 && all.iter().all(photo)).then_some(folder)
 }
 
 /// How it was made, where it is, and the girths as `girths.json` has them.

@@ -32,5 +32,9 @@ pub use measuring::{Measured, measured};
 
 /// Every kind of message of these files.
 #[cfg_attr(not(feature = "serve"), allow(dead_code))]
-pub(crate) const MESSAGES: [&[stage::Template]; 3] =
-    [doctor::MESSAGES, folder::MESSAGES, source::MESSAGES];
+pub(crate) const MESSAGES: [&[stage::Template]; 4] = [
+    doctor::MESSAGES,
+    folder::MESSAGES,
+    measure_verb::MESSAGES,
+    source::MESSAGES,
+];

@@ -332,6 +332,7 @@ fail-on-side = die Fotos liegen auf der Seite: Von der Scheibe aus liegt oben an
 fail-one-colour = { $name } hat nur eine Farbe: noch einmal aufnehmen oder weglassen
 fail-overexposed = { $name } ist fast überall überbelichtet: noch einmal aufnehmen oder weglassen
 fail-photo-size = Foto { $name } hat { $photo } Pixel, seine Kamera wurde aber für { $camera } kalibriert
+fail-photos-one-by-one = das sind Fotos eines Ordners, von denen jedes eine Aufnahme wäre: { $folder } angeben
 fail-plate-moves = es gibt kein Foto der leeren Szene, und nur { $still } der Bildpunkte stehen während der Drehung still: Hat sich die Kamera bewegt? Mit fester Kamera ein Foto der leeren Szene aufnehmen
 fail-program-long = { $name } wurde nach { $seconds } mit { $what } beendet: Ist die Datei viel länger als eine Drehung oder beschädigt?
 fail-raw-unreadable = { $name } ist kein Rohfoto, das dcraw_emu lesen kann ({ $why }): JPEGs der Kamera übergeben oder es weglassen

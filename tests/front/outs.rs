@@ -278,6 +278,8 @@ fn what_is_somebody_elses_is_not_replaced_nor_taken_for_results() {
     place.write("another/masks/0000.png", "x");
     let printed = place.run("measure another --fast --out o").err;
     assert!(printed.contains("masks of its"), "{printed}");
+    let printed = place.run("measure turn/0000.jpg turn/0001.jpg").code(2).err;
+    assert!(printed.contains("tailor measure turn"), "{printed}");
     let printed = place.run("measure words").code(2).err;
     assert!(
         printed.contains("there are no photos in words"),

@@ -38,7 +38,7 @@ stage::failures! {
         Misfit {
             /// Root mean square. \[px\]
             rms: f64,
-        } = "fail-mat-misfit": "the mat does not fit `[mat]` in capture.toml: its tags are seen {rms:.1 px} from where they should be; check tag size, ring radius and ids",
+        } = "fail-mat-misfit": "the mat in the photos is not as it is given: its tags are seen {rms:.1 px} from where they should be; hand over the mat's own file with --mat, or check tag size, ring radius and numbers",
     }
 }
 
