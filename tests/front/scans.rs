@@ -224,6 +224,40 @@ fn units_axes_formats_and_faces_change_nothing() {
     }
 }
 
+/// Soles that no scanner saw, and a hole at the buttocks.
+#[test]
+fn open_soles_and_a_hole_are_closed_and_change_little() {
+    let place = Place::new();
+    let whole = meshed(&body());
+    measured(&place, "own.ply", &mesh_to_ply(&whole));
+    let of = result(&place, "own.ply");
+    let (own, girths) = (tapes(&of), of["girths"].as_array().unwrap());
+    let hip = girths.iter().find(|g| g["name"] == "HC").unwrap();
+    let hip = hip["plane"]["point_mm"][2].as_f64().unwrap();
+    let low = whole.bounds().unwrap().0.z;
+    let gone = |v: &u32| {
+        let p = whole.point(*v);
+        let behind = p.y > 0.0 && p.x.abs() < 40.0 && (p.z - low - hip).abs() < 40.0;
+        p.z < low + 12.0 || behind
+    };
+    let faces = whole.faces.iter().filter(|f| !f.iter().any(gone));
+    let open = Mesh {
+        faces: faces.copied().collect(),
+        ..whole.clone()
+    };
+    let (code, text) = measured(&place, "open.ply", &mesh_to_ply(&open));
+    assert!(code == Some(0) && text.contains("flat covers: 3"), "{text}");
+    let got = tapes(&result(&place, "open.ply"));
+    for (name, tape) in &own {
+        let off = got.get(name).map(|t| (t / tape - 1.0).abs());
+        assert!(
+            off.is_some_and(|off| off < 0.02),
+            "{name} {:?} for {tape}",
+            got.get(name)
+        );
+    }
+}
+
 /// With all faces turned, or those below the waist.
 fn inverted(mut mesh: Mesh, all: usize) -> Mesh {
     let (low, high) = mesh.bounds().unwrap();

@@ -7,7 +7,7 @@ use stage::{Ctx, Files, FilesError, Stage, Stop, message};
 use std::sync::Arc;
 
 stage::messages! {
-    HOLES = "warn-scan-holes": "{name}: small holes closed by flat covers: {count}, up to {around:.0 mm} around";
+    HOLES = "warn-scan-holes": "{name}: holes closed by flat covers: {count}, up to {across:.0 mm} across; tapes over a large one come out short";
     FAULT = "warn-surface-fault": "{name}: {fault}; sections across it may be missing";
     PIECES = "warn-scan-pieces": "{name}: pieces that do not hang together with the body are left out: {count}";
     MIXED = "warn-scan-mixed": "{name}: faces that disagreed with those around them about which side is outside were turned: {count}";
@@ -108,7 +108,7 @@ pub struct Surface;
 
 impl Stage for Surface {
     const NAME: &'static str = "capture.surface";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str =
         "Takes a closed surface from elsewhere, such as a scan: PLY, OBJ, STL, OFF, GLB or 3MF.";
     type Params = SurfaceParams;
@@ -143,11 +143,11 @@ fn upright(read: Read, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> Result<M
     if p.scan {
         mesh = body(mesh, name, ctx)?;
     }
-    let (holes, longest) = if p.scan { closed(&mut mesh) } else { (0, 0.0) };
+    let (holes, largest) = if p.scan { closed(&mut mesh) } else { (0, 0.0) };
     let (unit, mm) = oriented(&mut mesh, p, (name, unit), ctx);
     if holes > 0 {
-        let around = longest * mm;
-        ctx.warn(message!(HOLES, name = name, count = holes, around = around));
+        let across = largest * mm;
+        ctx.warn(message!(HOLES, name = name, count = holes, across = across));
     }
     match mesh.validate_closed() {
         Ok(()) => {}

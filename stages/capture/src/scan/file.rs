@@ -35,9 +35,13 @@ pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Read, String> {
             unit: Some(Unit::M),
         },
         Some("3mf") => three_mf::read(bytes)?,
-        _ => return mesh_from_ply(bytes).map(plain).map_err(|e| e.to_string()),
+        _ => plain(mesh_from_ply(bytes).map_err(|e| e.to_string())?),
     };
-    let mesh = welded(&read.mesh);
+    // Our own surfaces are PLY, and closed as they are.
+    let mesh = match ending(name) == Some("ply") && read.mesh.validate_closed().is_ok() {
+        true => read.mesh,
+        false => welded(&read.mesh),
+    };
     mesh.validate().map_err(|fault| fault.to_string())?;
     Ok(Read { mesh, ..read })
 }
@@ -169,15 +173,19 @@ fn stl(bytes: &[u8]) -> Result<Mesh, String> {
 /// vertices that are not there stays as it is.
 fn welded(mesh: &Mesh) -> Mesh {
     let mut names: BTreeMap<[u32; 3], u32> = BTreeMap::new();
-    let mut welded = Mesh::default();
+    let mut welded = Mesh {
+        unit: mesh.unit,
+        ..Mesh::default()
+    };
     let mut name = Vec::with_capacity(mesh.positions.len());
-    for p in &mesh.positions {
+    for (v, p) in mesh.positions.iter().enumerate() {
         // Nought is nought, whatever its sign.
         let key = p.map(|x| (x + 0.0).to_bits());
         let next = welded.positions.len() as u32;
         let own = *names.entry(key).or_insert(next);
         if own == next {
             welded.positions.push(*p);
+            welded.colors.extend(mesh.colors.get(v));
         }
         name.push(own);
     }

@@ -16,6 +16,16 @@ fn sound(name: &str, bytes: &[u8]) {
 fn a_tetrahedron_is_the_same_in_every_format() {
     let (mut obj, mut off) = (String::new(), "OFF # a tetrahedron\n4 4 6\n".to_owned());
     let (mut ascii, mut binary) = ("solid x\n".to_owned(), vec![0u8; 80]);
+    // Each face with corners of its own.
+    let mut ply = "ply\nformat ascii 1.0\nelement vertex 12\n".to_owned();
+    for axis in ["x", "y", "z"] {
+        ply += &format!("property float {axis}\n");
+    }
+    ply += "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+    let corners = FACES.iter().flatten();
+    corners.for_each(|v| ply += &format!("{}\n", POINTS[*v]));
+    (0..4).for_each(|f| ply += &format!("3 {} {} {}\n", 3 * f, 3 * f + 1, 3 * f + 2));
+    sound("a.ply", ply.as_bytes());
     binary.extend(4u32.to_le_bytes());
     POINTS.iter().for_each(|p| obj += &format!("v {p} 1 1 1\n"));
     POINTS.iter().for_each(|p| off += &format!("{p}\n"));
