@@ -165,6 +165,7 @@ mod tests {
     use super::super::line_up::{like, line_up, picked_bias};
     use super::super::samples::{made as read_made, people as read_people};
     use super::super::table::Table;
+    use super::super::tails::{TAILS, Tails};
     use super::*;
     use crate::features::readings::{Reading, Readings};
 
@@ -225,5 +226,39 @@ mod tests {
                 assert!((0.87..=0.94).contains(&coverage), "{level:?}: {coverage}");
             }
         }
+    }
+
+    #[test]
+    fn tails_are_those_by_which_bodies_of_people_left_out_are_likely() {
+        let people = read_people(&Table::checked_in("ansur2.csv")).unwrap();
+        let made = read_made(&Table::checked_in("made-bodies.csv")).unwrap();
+        let (out, rest): (Vec<&Made>, Vec<&Made>) = made.iter().partition(|m| m.family == "survey");
+        let rest_of_people = people
+            .iter()
+            .filter(|p| !out.iter().any(|m| m.person == Some(p.row)));
+        let model = fit(&rest_of_people.collect::<Vec<_>>(), &rest, Vec::new()).unwrap();
+        let of = |freedom: f64, bad: f64| {
+            let one = |m: &&Made| {
+                let chest = m.levels[Level::Chest as usize]?;
+                Some(model.density(
+                    &m.readings,
+                    (Level::Chest, chest),
+                    Tails {
+                        freedom,
+                        bad,
+                        ..TAILS
+                    },
+                ))
+            };
+            out.iter().filter_map(one).sum::<f64>()
+        };
+        let best = of(TAILS.freedom, TAILS.bad);
+        for freedom in [8.0, 18.0] {
+            let other = of(freedom, TAILS.bad);
+            eprintln!("{freedom}: {:+.2}", other - best);
+            assert!(other < best);
+        }
+        let rarely = (of(TAILS.freedom, TAILS.bad / 8.0) - best) / out.len() as f64;
+        assert!(rarely.abs() < 0.01, "{rarely}");
     }
 }

@@ -19,5 +19,6 @@ pub(crate) mod normal;
 pub(crate) mod predict;
 pub(crate) mod samples;
 pub(crate) mod table;
+pub(crate) mod tails;
 pub(crate) mod tapes;
 pub(crate) mod write;

@@ -2,7 +2,7 @@
 
 use super::file::{LevelModel, Population, Scope};
 use super::level::Level;
-use super::normal::Conditional;
+use super::tails::{Answer, TAILS, mixture};
 use crate::features::readings::{Reading, Readings};
 
 /// A level as the model tells it.
@@ -32,21 +32,12 @@ pub enum Cover {
 /// People's statures are within so many standard deviations: all but one in two thousand.
 pub(crate) const SIZES: f64 = 3.5;
 
-/// A population's own answer.
-struct Answer<'a> {
-    population: &'a Population,
-    given: Conditional,
-}
-
 /// What populations give together, as shares of stature.
-#[derive(Clone, Copy)]
 struct Answered {
     mean: f64,
     variance: f64,
     /// Variance of what readings alone scatter.
     repeat: Option<f64>,
-    /// Squared distance of the readings from the nearest population, in that of 99 in 100.
-    far: f64,
     cover: Cover,
 }
 
@@ -93,14 +84,14 @@ impl LevelModel {
     }
 
     /// The readings that there are, by the model's variables.
-    fn observed(&self, readings: &Readings) -> Vec<(usize, f64)> {
+    pub(super) fn observed(&self, readings: &Readings) -> Vec<(usize, f64)> {
         let all = self.readings.iter().enumerate();
         all.filter_map(|(i, r)| Some((i, readings.get(*r)?)))
             .collect()
     }
 
     /// By how much the variance of each observed reading is above what it is of made bodies: on this surface it is spread.
-    fn spread_more(&self, readings: &Readings, observed: &[(usize, f64)]) -> Vec<f64> {
+    pub(super) fn spread_more(&self, readings: &Readings, observed: &[(usize, f64)]) -> Vec<f64> {
         let more = |(k, _): &(usize, f64)| {
             let spread = readings.spread(self.readings[*k]);
             (spread * spread - self.reading_sigma[*k].powi(2)).max(0.0)
@@ -108,40 +99,19 @@ impl LevelModel {
         observed.iter().map(more).collect()
     }
 
-    /// One of the model's variables from readings. Where nobody has such a body but for a few of them, those are bad:
-    /// the worst is left out in turn, as long as most agree. It is no better known for that.
+    /// One of the model's variables from readings.
     fn reported(
         &self,
         readings: &Readings,
         stature_mm: f64,
         target: usize,
     ) -> Option<LevelEstimate> {
-        let all = self.answered(readings, target)?;
-        let most = self.observed(readings).len() / 2;
-        let (mut used, mut from) = (readings.clone(), all);
-        while from.cover == Cover::Outside && self.observed(&used).len() > most + 1 {
-            let seen = Reading::ALL.into_iter().filter(|r| used.get(*r).is_some());
-            let without = |reading: Reading| {
-                let rest = used.clone().with(reading, None);
-                Some((self.answered(&rest, target)?, rest))
-            };
-            let lengths = seen.filter(|r| *r != Reading::LnStature);
-            let best = lengths.filter_map(without);
-            let Some(best) = best.min_by(|a, b| a.0.far.total_cmp(&b.0.far)) else {
-                break;
-            };
-            (from, used) = best;
-        }
-        if from.cover == Cover::Outside {
-            from = all;
-        }
-        // Where nobody knows the body, errors grow as it is farther away.
-        let wider = all.far.max(1.0).sqrt();
+        let found = self.answered(readings, target)?;
         Some(LevelEstimate {
-            height_mm: from.mean * stature_mm,
-            sigma_mm: from.variance.sqrt() * wider * stature_mm,
-            repeat_mm: from.repeat.map(|v| v.sqrt() * stature_mm),
-            cover: all.cover,
+            height_mm: found.mean * stature_mm,
+            sigma_mm: found.variance.sqrt() * stature_mm,
+            repeat_mm: found.repeat.map(|v| v.sqrt() * stature_mm),
+            cover: found.cover,
         })
     }
 
@@ -154,33 +124,28 @@ impl LevelModel {
             None => f64::INFINITY,
         };
         let more = self.spread_more(readings, &observed);
-        let answers = |scope: Scope| -> Vec<Answer<'_>> {
-            self.populations
-                .iter()
-                .filter(|p| p.scope == scope)
-                .filter_map(|population| {
-                    let given = population.normal.given_noisy(&observed, &more, target)?;
-                    Some(Answer { population, given })
-                })
-                .collect()
+        let near = |scope: Scope| {
+            let own = self.populations.iter().filter(|p| p.scope == scope);
+            own.filter_map(|p| p.normal.given_noisy(&observed, &more, target))
+                .any(|given| given.distance <= limit)
         };
-        let near = |all: &[Answer<'_>]| all.iter().any(|a| a.given.distance <= limit);
-        let (people, made) = (answers(Scope::People), answers(Scope::Made));
         // Made bodies stand in where people are of another size altogether: their ribs are nobody's.
-        let (from, cover) = match (near(&people), self.of_their_size(readings)) {
-            (true, _) => (people, Cover::People),
-            (false, true) => (people, Cover::Outside),
-            (false, false) if near(&made) => (made, Cover::Made),
-            (false, false) if made.is_empty() => (people, Cover::Outside),
-            (false, false) => (made, Cover::Outside),
+        let known = self.populations.iter().any(|p| p.scope == Scope::Made);
+        let (from, cover) = match near(Scope::People) {
+            true => (Scope::People, Cover::People),
+            false if self.of_their_size(readings) || !known => (Scope::People, Cover::Outside),
+            false if near(Scope::Made) => (Scope::Made, Cover::Made),
+            false => (Scope::Made, Cover::Outside),
         };
-        let (mean, variance) = mixture(&from)?;
-        let nearest = from.iter().map(|a| a.given.distance).reduce(f64::min)?;
+        let own = self.populations.iter().filter(|p| p.scope == from);
+        let answers: Vec<Answer> = own
+            .flat_map(|p| self.answers(p, TAILS, &observed, &more, target))
+            .collect();
+        let (mean, variance) = mixture(&answers)?;
         Some(Answered {
             mean,
             variance,
-            repeat: self.repeat_variance(&observed, &more, &from),
-            far: nearest / limit,
+            repeat: self.repeat_variance(&observed, &more, &answers),
             cover,
         })
     }
@@ -212,12 +177,12 @@ impl LevelModel {
         &self,
         observed: &[(usize, f64)],
         more: &[f64],
-        answers: &[Answer<'_>],
+        answers: &[Answer],
     ) -> Option<f64> {
         let repeat = self.repeat.as_ref()?;
         let best = answers
             .iter()
-            .max_by(|a, b| a.given.log_density.total_cmp(&b.given.log_density))?;
+            .max_by(|a, b| a.weight.total_cmp(&b.weight))?;
         let weights = &best.given.weights;
         let own = weights.iter().zip(more);
         let mut sum: f64 = own.map(|(weight, more)| weight * weight * more).sum();
@@ -228,19 +193,4 @@ impl LevelModel {
         }
         Some(sum.max(0.0))
     }
-}
-
-/// Mean and variance of a mixture whose weights are how likely each population makes the readings.
-fn mixture(answers: &[Answer<'_>]) -> Option<(f64, f64)> {
-    let best = answers
-        .iter()
-        .map(|a| a.given.log_density)
-        .reduce(f64::max)?;
-    let weight = |a: &Answer<'_>| a.population.weight * libm::exp(a.given.log_density - best);
-    let total: f64 = answers.iter().map(weight).sum();
-    let share = |a: &Answer<'_>| weight(a) / total;
-    let mean: f64 = answers.iter().map(|a| share(a) * a.given.mean).sum();
-    let second = |a: &Answer<'_>| share(a) * (a.given.variance + (a.given.mean - mean).powi(2));
-    let variance: f64 = answers.iter().map(second).sum();
-    Some((mean, variance))
 }
