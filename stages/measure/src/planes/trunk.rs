@@ -3,6 +3,7 @@
 use crate::features::body::{Body, HipAt};
 use crate::features::marks::{Marks, hip};
 use crate::features::readings::{Reading, Readings, readings};
+use crate::features::whole::no_stature;
 use crate::geometry::slices::level;
 use crate::model::file::LevelModel;
 use crate::model::level::Level;
@@ -140,11 +141,7 @@ fn hip_sigma(body: &Body, model: &LevelModel) -> PlaneSigma {
 
 /// What is missing of an upright body.
 pub(crate) fn unlike(body: &Body) -> Refusal {
-    match (body.whole, body.neck) {
-        (false, _) => Refusal::NoLegs,
-        (_, None) => Refusal::NoNeck,
-        _ => Refusal::NotUpright,
-    }
+    no_stature(body).map_or(Refusal::NotUpright, |(why, _)| why)
 }
 
 /// The plane of the hip: where the surface shows it, else where the rest of a whole body tells it.
