@@ -4,6 +4,7 @@
 use crate::features::limb::cuts::holds_origin;
 use crate::geometry::carry::{first_reaches, ray};
 use crate::geometry::section::{length, tape};
+use crate::sections::fold::fold;
 use crate::sections::split::{bridge, even};
 use std::f64::consts::TAU;
 
@@ -18,61 +19,12 @@ pub(crate) struct FreedArm {
     pub(crate) sigma_mm: f64,
 }
 
-/// Samples on the way around an arm of the given radius, and those to either side of one that tell the way there.
+/// Samples on the way around an arm of the given radius.
 const SAMPLES: f64 = 180.0;
-const REACH: usize = 5;
-/// An outline that has turned back by so much is the trunk's by then. \[rad\]
-const BACK: f64 = 25.0 * TAU / 360.0;
-/// The fold begins where the turning that is left to it is no more than this: a web's straight skin. \[rad\]
-const STRAIGHT: f64 = 5.0 * TAU / 360.0;
-
 /// Standard deviation of a bridged tape, as a share of what the bridge adds to a tape straight from fold to fold, which is
 /// the least that a convex arm can have. Of ovals it is 0.22 (a test below); 0.3 of 22 arms of two scans and five other
 /// bodies whose trunks were widened into them by 6, 15 and 28 mm.
 const BRIDGED: f64 = 0.3;
-
-/// Where an arm ends: an index, the outline's way there, away from the arm, and how far it has turned until there.
-pub(super) struct Fold {
-    pub(super) steps: usize,
-    pub(super) turned: f64,
-    way: [f64; 2],
-}
-
-/// Follows an outline from a point of it, `at` of so many steps, to where it turns back. `None` if it never does.
-pub(super) fn fold(at: &impl Fn(usize) -> [f64; 2], count: usize, turn: f64) -> Option<Fold> {
-    let way = |k: usize| {
-        let (a, b) = (at(k + count - REACH), at(k + REACH));
-        let (x, y) = (b[0] - a[0], b[1] - a[1]);
-        let long = libm::hypot(x, y).max(1e-9);
-        [x / long, y / long]
-    };
-    let (mut turned, mut most) = (vec![0.0f64], 0.0f64);
-    let mut last = way(0);
-    for k in 1..count {
-        let next = way(k);
-        let by = libm::atan2(
-            last[0] * next[1] - last[1] * next[0],
-            last[0] * next[0] + last[1] * next[1],
-        );
-        let now = turned[k - 1] + turn * by;
-        turned.push(now);
-        most = most.max(now);
-        last = next;
-        // Once around: nothing but the arm.
-        if now > 0.75 * TAU {
-            return None;
-        }
-        if now < most - BACK {
-            let steps = turned.iter().position(|t| *t >= most - STRAIGHT)?;
-            return Some(Fold {
-                steps,
-                turned: most,
-                way: way(steps),
-            });
-        }
-    }
-    None
-}
 
 /// Frees an arm of the trunk. The outline is about the arm's middle, `outward` points away from the trunk; `clear` is a section
 /// of the arm alone, about its own middle. `None` where the outline does not go around the middle, or has no two folds.

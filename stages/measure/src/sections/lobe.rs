@@ -5,7 +5,7 @@ use crate::features::arms::small;
 use crate::features::body::Body;
 use crate::geometry::section::area;
 use crate::geometry::slices::Ring;
-use crate::sections::beside_trunk::fold;
+use crate::sections::fold::fold;
 use crate::sections::split::{SAMPLES, even};
 
 /// How far the outline of a level section turns around a lobe on a side (1 left, -1 right): from its outermost point on it

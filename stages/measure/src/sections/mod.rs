@@ -6,6 +6,7 @@ pub(crate) mod across_leg;
 pub(crate) mod arm_inferred;
 pub(crate) mod beside_trunk;
 pub(crate) mod down_arm;
+pub(crate) mod fold;
 pub(crate) mod hands;
 pub(crate) mod lobe;
 pub(crate) mod one;

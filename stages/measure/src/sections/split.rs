@@ -1,6 +1,7 @@
 //! Trunk and arms that are one on the surface, parted in a section: where the trunk's outline stops
 //! turning round toward its side, an arm or the filled fold before it begins.
 
+use super::fold::fold;
 use std::f64::consts::TAU;
 
 /// A trunk freed of the arms in its section.
@@ -112,6 +113,30 @@ fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<S
     })
 }
 
+/// The same of a flat chest or back, which turns too little before the arm: where the outline turns back beyond the arm.
+fn beyond_fold(points: &[[f64; 2]], side: f64, fore: f64) -> Option<Seam> {
+    let n = points.len();
+    let out = |i: &usize| side * points[*i][0];
+    let from = (0..n).max_by(|a, b| out(a).total_cmp(&out(b)))?;
+    // A counter-clockwise outline runs forward on the left.
+    let forward = side * fore > 0.0;
+    let along = |k: usize| match forward {
+        true => (from + k) % n,
+        false => (from + n - k % n) % n,
+    };
+    let turn = if forward { 1.0 } else { -1.0 };
+    let start = fold(&|k| points[along(k)], n, turn)?.beyond;
+    let (a, b) = (points[along(start + 2 * REACH)], points[along(start)]);
+    let (x, y) = (b[0] - a[0], b[1] - a[1]);
+    let length = libm::hypot(x, y).max(1e-9);
+    let own = Seam {
+        at: along(start),
+        way: [x / length, y / length],
+    };
+    // Beyond the middle it is the other arm's.
+    (side * b[0] > 0.0).then_some(own)
+}
+
 /// A convex bridge between two points that leaves and arrives along given ways: the conic that is
 /// a circle's arc where both are alike. Returns its points and its doubt.
 pub(crate) fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
@@ -152,8 +177,10 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
     let (mut share, mut sigma_mm) = (0.0, 0.0);
     let mut cuts = Vec::new();
     for side in sides {
-        let front = seam(&points, middle, *side, 1.0)?;
-        let back = seam(&points, middle, *side, -1.0)?;
+        let at = |fore: f64| {
+            seam(&points, middle, *side, fore).or_else(|| beyond_fold(&points, *side, fore))
+        };
+        let (front, back) = (at(1.0)?, at(-1.0)?);
         // Counter-clockwise: on the left from the front's... with x to the left hand of a reader,
         // the positive side runs from back to front, the negative from front to back.
         let (from, to) = if *side > 0.0 {

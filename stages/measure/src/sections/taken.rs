@@ -148,7 +148,10 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
         hidden && lobe(body, &ring, *side).is_some_and(|turned| turned > least)
     };
     let hanging: Vec<f64> = [1.0, -1.0].into_iter().filter(hangs).collect();
-    let seen = |side: f64| hanging.contains(&side) || arms.iter().any(|arm| arm.side == side);
+    let seen = |side: f64| {
+        let own = hanging.contains(&side) || arms.iter().any(|arm| arm.side == side);
+        own || raised(body, z, side)
+    };
     if landmark.region == Region::Chest && !(seen(1.0) && seen(-1.0)) {
         return Err(NO_ARMS);
     }
@@ -192,6 +195,28 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
     let hidden = behind_arms(body, &fused, &here, &clear, origin, plane);
     let whole = carried(&here, &clear, &hidden, &(0.97..=1.03)).ok_or(FUSED)?;
     Ok(completed(origin, plane, whole))
+}
+
+/// Whether the arm of a side is lifted above a height: up to the neck something reaches out twice as far as there (structural:
+/// shoulders do not).
+fn raised(body: &Body, z: f64, side: f64) -> bool {
+    let reach = |s: &crate::geometry::slices::Slice| {
+        let ends = s.rings.first().and_then(|r| extent(r, &body.left));
+        let trunk = body.trunk(z).map(|r| r.centre.coords.dot(&body.left));
+        let (low, high) = ends?;
+        Some(if side > 0.0 {
+            high - trunk?
+        } else {
+            trunk? - low
+        })
+    };
+    let Some(here) = body.slice(z).and_then(reach) else {
+        return false;
+    };
+    let top = body.neck.unwrap_or(z);
+    body.between(z, top)
+        .filter_map(reach)
+        .any(|out| out > 2.0 * here)
 }
 
 /// The trunk with its arms cut off at the seams that its own outline shows.
