@@ -14,8 +14,8 @@ const JUMP: f64 = 0.06;
 const TICKS: usize = 7;
 
 /// Width of the column that holds names of girths, and height of a line of it (structural: layout).
-const NAMES: f64 = 152.0;
-const LINE: f64 = 13.0;
+const NAMES: f64 = 186.0;
+const LINE: f64 = 16.0;
 
 /// An SVG of the curve; each horizontal girth is a dot on it, led to its name beside the drawing. Empty without a curve. Where the girth
 /// jumps, because limbs join or part, the curve is dotted.
