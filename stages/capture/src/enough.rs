@@ -37,3 +37,17 @@ pub(crate) fn enough(
         }),
     }
 }
+
+/// The first `keep` of each `of`.
+pub(crate) fn thinned<T>(all: Vec<T>, keep: usize, of: usize) -> Vec<T> {
+    let kept = all.into_iter().enumerate().filter(|(i, _)| i % of < keep);
+    kept.map(|(_, item)| item).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn two_of_three_views_are_left() {
+        assert_eq!(super::thinned((0..7).collect(), 2, 3), [0, 1, 3, 4, 6]);
+    }
+}

@@ -35,6 +35,7 @@ mod rig;
 mod rig_tags;
 mod scan;
 mod sharpness;
+mod smaller;
 mod surface;
 mod verdict;
 mod video;

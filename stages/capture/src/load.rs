@@ -2,7 +2,7 @@
 
 use crate::alike::{not_one_turn, one_size};
 use crate::date::{Day, day_of};
-use crate::enough::{as_many_as_promised, enough};
+use crate::enough::{as_many_as_promised, enough, thinned};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
@@ -13,6 +13,7 @@ use crate::ordered::in_order;
 use crate::photo::{header, photo};
 use crate::rig::{RigFile, read_rig};
 use crate::sharpness::{best, sharpness};
+use crate::smaller::{factor, on_smaller, plate_too, smaller};
 use crate::verdict::{Grade, Seen, against_the_middle};
 use rayon::prelude::*;
 use shape::{Photo, Photos};
@@ -48,6 +49,11 @@ stage::params! {
         #[range(3..=5000)]
         #[source(structural)]
         most: u32 = 200,
+        /// Photos are reduced by the greatest whole factor that leaves their longest side so long at least. 0 leaves them as
+        /// they are.
+        #[range(0..=100000)]
+        #[source(structural)]
+        least_px: u32 = 0,
         /// Whether photos of which nothing will come as a turn are an error, and what is odd about them
         /// a warning.
         stop: bool = false,
@@ -105,11 +111,12 @@ impl Stage for Load {
             one_size(&photos, plate.as_ref())?;
         }
         let steps = ctx.steps("photos", photos.len());
+        let longest = photos.first().map_or(0, |p| p.width.max(p.height));
         let read = |head: Photo| -> Result<(Photo, Option<(Glance, f64)>), Stop> {
             let (photo, pixels) = photo(head)?;
             let seen = p.stop.then(|| (glance(&pixels), sharpness(&pixels)));
             steps.tick()?;
-            Ok((photo, seen))
+            Ok((smaller(photo, &pixels, p.least_px), seen))
         };
         let read: Vec<_> = in_order(photos.into_par_iter().map(read))?;
         let (mut photos, seen): (Vec<Photo>, Vec<_>) = read.into_iter().unzip();
@@ -135,6 +142,10 @@ impl Stage for Load {
         // Steps are equal only where one of each so many is left.
         rig.step = rig.step.zip(even).map(|(step, of)| step * of as f64);
         rig.focal_35mm = rig.focal_35mm.or(photos[0].focal_35mm);
+        let plate = plate
+            .map(|plate| plate_too(plate, p.least_px))
+            .transpose()?;
+        on_smaller(&mut rig, factor(longest, p.least_px));
         ctx.metric("photos", photos.len() as f64, "");
         ctx.metric("width", f64::from(photos[0].width), "px");
         ctx.metric("height", f64::from(photos[0].height), "px");
@@ -281,18 +292,4 @@ fn chosen<T: Sync>(
         .filter(|(i, _)| places.contains(i))
         .map(|(_, one)| one);
     Ok((taken.collect(), None))
-}
-
-/// The first `keep` of each `of`.
-fn thinned<T>(all: Vec<T>, keep: usize, of: usize) -> Vec<T> {
-    let kept = all.into_iter().enumerate().filter(|(i, _)| i % of < keep);
-    kept.map(|(_, item)| item).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn two_of_three_views_are_left() {
-        assert_eq!(super::thinned((0..7).collect(), 2, 3), [0, 1, 3, 4, 6]);
-    }
 }

@@ -57,6 +57,25 @@ impl<T: Copy> Image<T> {
 }
 
 impl Rgb {
+    /// Reduced by a whole factor, means of blocks.
+    pub fn reduced(&self, by: usize) -> Rgb {
+        let (width, height) = (self.width / by, self.height / by);
+        let mut small = Rgb::filled(width, height, [0; 3]);
+        let area = (by * by) as u32;
+        for y in 0..height {
+            for x in 0..width {
+                let mut sum = [area / 2; 3];
+                for row in y * by..(y + 1) * by {
+                    for p in &self.row(row)[x * by..(x + 1) * by] {
+                        (0..3).for_each(|c| sum[c] += u32::from(p[c]));
+                    }
+                }
+                *small.at_mut(x, y) = sum.map(|s| (s / area) as u8);
+            }
+        }
+        small
+    }
+
     /// Brightness by Rec. 601 weights.
     pub fn gray(&self) -> Gray {
         self.map(|&[r, g, b]| 0.299 * f32::from(r) + 0.587 * f32::from(g) + 0.114 * f32::from(b))

@@ -2,7 +2,7 @@
 
 use crate::align::alignment::{exposed_alike, on_each_other, on_plate};
 use crate::align::rectangle::Rectangle;
-use crate::align::reduced::{factor, reduced};
+use crate::align::reduced::factor;
 use rayon::prelude::*;
 use shape::{Aligned, Alignment, ByPhoto, Cameras, Photo, PhotoId, Photos, Placed, Rgb};
 use stage::{Ctx, Stage, Stop};
@@ -74,12 +74,12 @@ fn placed_on(
     let steps = ctx.steps("photos", photos.photos.len());
     let pixels = plate.decode()?;
     let by = factor(&pixels, coarse_px);
-    let still = reduced(&pixels, by).gray();
+    let still = pixels.reduced(by).gray();
     drop(pixels);
     let all: Vec<(PhotoId, &Photo)> = photos.iter().collect();
     let one = |(id, photo): &(PhotoId, &Photo)| {
         let alone = || {
-            let small = reduced(&photo.decode()?, by);
+            let small = photo.decode()?.reduced(by);
             Ok(one_view(on_plate(&small, &still, by)))
         };
         let found: Aligned = ctx.part("lies", &[photo.content(), plate.content()], alone)?;
@@ -116,7 +116,7 @@ fn alike(
     let small = |(_, photo): &(PhotoId, &Photo)| {
         ctx.check()?;
         let pixels = photo.decode()?;
-        Ok(reduced(&pixels, factor(&pixels, coarse_px)))
+        Ok(pixels.reduced(factor(&pixels, coarse_px)))
     };
     let smalls: Vec<Rgb> = known.par_iter().map(small).collect::<Result<_, Stop>>()?;
     let placed = on_each_other(&smalls);
@@ -132,7 +132,7 @@ fn alike(
         }
         ctx.check()?;
         let there = alignment.brought(known.1.decode()?);
-        Ok((reduced(&there, factor(&there, coarse_px)), alignment))
+        Ok((there.reduced(factor(&there, coarse_px)), alignment))
     };
     let all: Vec<(Rgb, Alignment)> = known
         .par_iter()

@@ -1,6 +1,5 @@
 //! One photo made ready to be cut: what each of its reduced pixels costs as background.
 
-use crate::align::reduced::reduced;
 use crate::cut::least_cut::Known;
 use crate::likelihood::background::{FLAT, Noise, background_cost};
 use crate::likelihood::floor::Floor;
@@ -102,7 +101,7 @@ pub fn prepare(
         .max(pixels.height)
         .div_ceil(coarse_px.max(1))
         .max(1);
-    let (small, expected) = (reduced(pixels, factor), reduced(&without.image, factor));
+    let (small, expected) = (pixels.reduced(factor), without.image.reduced(factor));
     let floor = floor.map(|floor| floor.resized(small.width, small.height));
     let grounds = Grounds::of(floor.as_ref(), 1, small.width, small.height);
     let on = |x: usize, y: usize| grounds.at(x, y);

@@ -1,7 +1,7 @@
 //! The stage that weighs each reduced pixel: how well the empty scene explains it.
 
 use crate::align::rectangle::Rectangle;
-use crate::align::reduced::{factor, reduced};
+use crate::align::reduced::factor;
 use crate::cut::least_cut::Known;
 use crate::likelihood::behind::Behind;
 use crate::likelihood::body::evident;
@@ -107,7 +107,7 @@ fn weighed(
 fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
     let pixels = photo.decode()?;
     let factor = factor(&pixels, aligned.coarse_px as usize);
-    let small = reduced(&pixels, factor);
+    let small = pixels.reduced(factor);
     let mut known = vec![Known::Unknown; small.data.len()];
     close(&mut known, small.width, factor, photo, aligned)?;
     Ok(PhotoEvidence {

@@ -1,6 +1,6 @@
 //! The photos of a turn where they are aligned: reduced, for the rounds; then at full size, for the scene's colours.
 
-use crate::align::reduced::{factor, reduced};
+use crate::align::reduced::factor;
 use crate::room::means::Means;
 use crate::scene::still_and_disk::{Shot, full_side};
 use rayon::prelude::*;
@@ -24,7 +24,7 @@ pub(crate) fn shots<E: From<PhotoError> + Send>(
             true => pixels,
             false => alignment.placed.brought(&pixels),
         };
-        let small = reduced(&pixels, factor(&pixels, aligned.coarse_px as usize));
+        let small = pixels.reduced(factor(&pixels, aligned.coarse_px as usize));
         let (width, height) = (small.width as u32, small.height as u32);
         let shot = aligned.camera(*id).map(|camera| Shot {
             id: *id,

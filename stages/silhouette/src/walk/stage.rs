@@ -1,6 +1,5 @@
 //! The stage that cuts a subject out of the photos of a walk around it.
 
-use crate::align::reduced::reduced;
 use crate::scene::still_and_disk::Shot;
 use crate::walk::doubt::widest_gap;
 use crate::walk::features::spots;
@@ -159,7 +158,9 @@ fn shots(
     let one = |(id, view): &(PhotoId, &shape::View)| -> Result<(Shot, [f64; 2]), Stop> {
         ctx.check()?;
         let photo = photo(photos, *id)?;
-        let small = reduced(&photo.decode()?, factor(p, photo.width, photo.height));
+        let small = photo
+            .decode()?
+            .reduced(factor(p, photo.width, photo.height));
         let camera = view.camera.resized(small.width as u32, small.height as u32);
         let shot = Shot {
             id: *id,
