@@ -9,30 +9,44 @@ A node beside which another runs has an even share of what both take. Last come 
 
 import argparse
 import json
+import math
 import os
 import subprocess
 import sys
 import tempfile
+import time
+
+# What is measured of a process: its name in the table, and in the file.
+WHOLE = [
+    ("whole process, s", "process_s"),
+    ("by the clock, s", "clock_s"),
+    ("most memory, MB", "memory_mb"),
+    ("first answer after, s", "first_s"),
+]
 
 
 def run(program, capture):
-    """Seconds of the processor by node, those of the process, its most memory in MB, and when `coarse` was done."""
+    """Seconds of the processor by node; of the process: those, by the clock, its most memory in MB, its first answer after."""
     with tempfile.TemporaryDirectory() as place:
         trace = os.path.join(place, "trace.json")
-        command = [program, "measure", capture, "--quiet", "--profile", trace]
+        command = [program, "measure", capture, "--profile", trace]
         command += ["--cache", os.path.join(place, "cache"), "--out", os.path.join(place, "out")]
-        child = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+        start, first = time.monotonic(), math.nan
+        child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        for line in child.stderr:
+            if line.startswith("first answer"):
+                first = time.monotonic() - start
         _, status, used = os.wait4(child.pid, 0)
+        whole = time.monotonic() - start
         if status != 0:
             sys.exit(f"{program} failed on {capture}")
         with open(trace) as file:
             events = json.load(file)["traceEvents"]
-    nodes, first = by_node(events)
-    return nodes, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, first
+    return by_node(events), used.ru_utime + used.ru_stime, whole, used.ru_maxrss / 1024, first
 
 
 def by_node(events):
-    """Seconds of the processor by node, from a trace, and by the clock when `coarse` was done."""
+    """Seconds of the processor by node, from a trace. A first answer is beside all nodes."""
     spans = [e for e in events if e["ph"] == "X" and e["name"] == e["cat"]]
     spans = [(e["name"], e["ts"], e["ts"] + e["dur"]) for e in spans]
     busy = [e for e in events if e["ph"] == "C" and e["name"] == "threads busy"]
@@ -43,16 +57,14 @@ def by_node(events):
         running = list(dict.fromkeys(n for n, a, b in spans if a <= middle < b)) or ["beside all nodes"]
         for node in running:
             nodes[node] = nodes.get(node, 0.0) + threads * (end - start) / len(running) / 1e6
-    first = max((b for n, _, b in spans if n == "coarse"), default=0.0) / 1e6
-    return nodes, first
+    return nodes
 
 
 def least(runs):
     """The least of all runs, node by node."""
     names = list(dict.fromkeys(name for nodes, *_ in runs for name in nodes))
     nodes = {name: min(nodes.get(name, 0.0) for nodes, *_ in runs) for name in names}
-    process, memory, first = (min(run[i] for run in runs) for i in (1, 2, 3))
-    return {"nodes": nodes, "process_s": process, "memory_mb": memory, "coarse_after_s": first}
+    return {"nodes": nodes} | {key: min(run[i + 1] for run in runs) for i, (_, key) in enumerate(WHOLE)}
 
 
 def main():
@@ -74,7 +86,7 @@ def main():
         a, b = before["nodes"].get(name, 0.0), now["nodes"].get(name, 0.0)
         if max(a, b) >= 0.1:
             print(f"| `{name}` | {a:.1f} | {b:.1f} | {b / max(a, 1e-9):.2f} |")
-    for name, key in [("whole process, s", "process_s"), ("most memory, MB", "memory_mb"), ("`coarse` done after, s", "coarse_after_s")]:
+    for name, key in WHOLE:
         print(f"| {name} | {before[key]:.1f} | {now[key]:.1f} | {now[key] / before[key]:.2f} |")
     if asked.json:
         with open(asked.json, "w") as file:
