@@ -99,6 +99,17 @@ impl Facts {
         self.mat.is_some() || self.numbers.has("mat-tag") || self.fact.iter().any(mat)
     }
 
+    /// Whether the disk's size is given, here or in capture.toml.
+    ///
+    /// # Errors
+    ///
+    /// A flag that cannot be read.
+    pub(super) fn disk_given(&self, file: &toml::Table) -> Result<bool, Fault> {
+        let (table, key) = ("disk", "diameter_cm");
+        let in_file = file.get(table).is_some_and(|disk| disk.get(key).is_some());
+        Ok(in_file || self.given(&format!("{table}.{key}"))?.is_some())
+    }
+
     /// How far the subject turned between photos. \[°\]
     pub(super) fn step_deg(&self) -> Option<f64> {
         let steps = self.steps.filter(|steps| *steps != 0);

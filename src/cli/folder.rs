@@ -32,6 +32,8 @@ pub(super) struct Looked {
     plate: Option<String>,
     /// Whether there is a photo or video of the empty scene.
     pub(super) plate_there: bool,
+    /// Whether the disk's size is given.
+    pub(super) disk: bool,
     /// How many tags the mat has that is known of, as it was given; empty where that was not.
     pub(super) mat: Option<String>,
     /// What follows from the folder, as if it were given.
@@ -61,6 +63,7 @@ pub(super) fn look(
             photos: vec![],
             plate: None,
             plate_there: false,
+            disk: false,
             mat: mat(facts, &toml::Table::new())?,
             more: vec![],
             warnings: vec![],
@@ -84,6 +87,7 @@ pub(super) fn look(
         photos: names.iter().filter(|n| is_photo(n)).cloned().collect(),
         plate: plate(facts, &file)?,
         plate_there: names.iter().any(|n| is_plate(n)) || named_plate(facts, &file)?.is_some(),
+        disk: facts.disk_given(&file)?,
         mat: mat(facts, &file)?,
         more: vec![],
         warnings: vec![],

@@ -2,14 +2,15 @@
 
 use super::delivered::{place_of_results, written};
 use super::first::First;
-use super::folder::{self, Looked, MASKS};
+use super::folder::{self, Looked};
 use super::live::Live;
 use super::measure_args::Measure;
+use super::pipeline::{first_graphs, pipeline};
 use super::prepared::Prepared;
 use super::provenance::{get, sentences};
 use super::screen::{Of, screen, warned};
 use super::source::Source;
-use super::stated::{Stated, opened};
+use super::stated::Stated;
 use super::words;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
@@ -23,66 +24,6 @@ use stage::Message;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// The variant of pipelines that stops at the coarse surface.
-const FAST: &str = "fast";
-
-/// The pipeline for a capture with what is given of it, and its inputs: the whole, or a first answer that
-/// is `followed` by the whole, or that the whole left `unfinished`.
-fn pipeline(
-    measure: &Measure,
-    source: &Source,
-    stated: &[Stated],
-    first: Option<&str>,
-) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
-    if let Source::Scan(..) = source {
-        if let Some(fact) = stated.first() {
-            return Err(Fault::input(format!(
-                "{}: of photos; a scan takes --unit-of-file and --up",
-                fact.flag
-            )));
-        }
-        let sets: Vec<String> = measure
-            .scan()
-            .into_iter()
-            .chain(measure.inches().then(|| "report.unit=in".to_owned()))
-            .chain(measure.set.iter().cloned())
-            .collect();
-        let graph = opened("surface", None, measure.variant.clone(), stated, &sets)?;
-        return Ok((graph, source.inputs()));
-    }
-    let mut sets = Vec::new();
-    // A turn of a disk is looked at while it is read; a walk is none, nor is a turn on the spot.
-    let on_disk = !measure.walk && !measure.turning;
-    sets.push(format!("photos.stop={on_disk}"));
-    for (asked, set) in [
-        (measure.no_photos, "report.photos=false"),
-        (measure.blur_face, "report.blur_face=true"),
-        (measure.inches(), "report.unit=in"),
-    ] {
-        sets.extend(asked.then(|| set.to_owned()));
-    }
-    // What the user sets himself comes last, and wins.
-    sets.extend(measure.set.iter().cloned());
-    let mut folders = source.inputs();
-    let masks = source.folder().join(MASKS);
-    let name = match (measure.walk, masks.is_dir()) {
-        (_, true) if measure.turning => "turning-own-masks",
-        (_, false) if measure.turning => "turning",
-        (true, true) => "walk-own-masks",
-        (true, false) => "walk",
-        (false, true) => "own-masks",
-        (false, false) => "body",
-    };
-    if masks.is_dir() {
-        folders.push((MASKS.to_owned(), masks));
-    }
-    sets.extend(first.map(|answer| format!("report.answer={answer}")));
-    let fast = (first.is_some() || measure.fast).then(|| FAST.to_owned());
-    let variant = fast.or_else(|| measure.variant.clone());
-    let graph = opened(name, source.over(), variant, stated, &sets)?;
-    Ok((graph, folders))
-}
 
 /// Who makes a first answer while the whole is on its way: for a person who waits, and where the pipeline has
 /// one that differs from the whole only in where it stops.
@@ -98,17 +39,13 @@ fn first_answer(
         || measure.turning
         || measure.fast
         || measure.variant.is_some()
+        || global.quiet
+        || global.json
         || global.host.watch.is_some();
     if alone {
         return None;
     }
-    let more: Vec<Stated> = stated.iter().chain(&looked.more).cloned().collect();
-    let graph = |answer| {
-        let (mut graph, _) = pipeline(measure, &looked.source, &more, Some(answer)).ok()?;
-        folder::widen(&mut graph, looked);
-        Some(graph)
-    };
-    let graphs = [graph("followed")?, graph("unfinished")?];
+    let graphs = first_graphs(measure, looked, stated)?;
     Some(Arc::new(First::new(graphs, ready, measure, global)))
 }
 

@@ -19,6 +19,7 @@ pub(crate) mod measure_args;
 pub(crate) mod measure_verb;
 pub(crate) mod measuring;
 mod numbers;
+mod pipeline;
 pub(crate) mod prepared;
 pub(crate) mod provenance;
 pub(crate) mod repeat;

@@ -112,7 +112,7 @@ fn table(words: Words, girths: &Girths, wide: usize) -> String {
     text
 }
 
-/// The waist and the hip in a sentence, as far as they were measured: `hip 98.2 cm, waist 81.5 cm`.
+/// Hip and waist in a sentence, as far as they were measured: `hip 98.2 cm (97.0 to 99.4), waist 81.5 cm (80.1 to 82.9)`.
 pub(crate) fn in_short(words: Words, girths: &Girths) -> String {
     let unit = match girths.unit {
         Unit::Metric => format!(" {}", words.unit()),
@@ -125,7 +125,14 @@ pub(crate) fn in_short(words: Words, girths: &Girths) -> String {
     let length = length(words, girths);
     let one = |g: &Girth| {
         let name = lower(words, words.girth(&g.name, &g.label));
-        format!("{name} {}{unit}", length(g.tape_mm))
+        let tape = format!("{name} {}{unit}", length(g.tape_mm));
+        match g.interval_mm {
+            Some([low, high]) => {
+                let put = [("low", length(low).into()), ("high", length(high).into())];
+                format!("{tape} ({})", words.with("screen-range", &put))
+            }
+            None => tape,
+        }
     };
     let all: Vec<String> = main.map(one).collect();
     match all.is_empty() {

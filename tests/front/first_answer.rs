@@ -59,10 +59,24 @@ const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm
     --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 \
     --set body.rounds=1 --set textured.atlas_px=256 --set textured.rounds=0";
 
-/// As coarse, the coarse surface and all that comes of it made anew.
+/// As coarse, the outlines and all that comes of them made anew.
 fn anew() -> String {
-    format!("{COARSE} --set coarse.rounds=3")
+    format!("{COARSE} --set params.gamma=41")
 }
+
+/// Hip and waist with their intervals, as a first answer has them. \[cm\]
+fn first_girths(printed: &str) -> Vec<[f64; 3]> {
+    let from = printed.find(FIRST_ANSWER).expect("no first answer");
+    let line = printed[from..].split("first report:").next().unwrap();
+    let words = line.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+    let numbers: Vec<f64> = words.filter_map(|w| w.parse().ok()).collect();
+    let (all, rest) = numbers.as_chunks::<3>();
+    assert!(rest.is_empty(), "{line}");
+    all.to_vec()
+}
+
+/// How the line of a first answer begins.
+const FIRST_ANSWER: &str = "first answer, refined below: ";
 
 /// The logs and records of runs.
 fn records(place: &Place) -> Vec<String> {
@@ -78,8 +92,24 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
     let (place, anew) = (begun(), anew());
     let printed = place.run(&format!("measure turn --out out {anew}"));
     let printed = printed.code(0);
-    let first = "first answer from the coarse surface: ";
-    assert!(printed.err.contains(first), "{}", printed.err);
+    // Its intervals have what comes of the whole.
+    let girths = std::fs::read_to_string(place.path("out/girths.json")).unwrap();
+    let girths: serde_json::Value = serde_json::from_str(&girths).unwrap();
+    let tape = |name: &str| {
+        let mut all = girths["girths"].as_array().unwrap().iter();
+        all.find(|g| g["name"] == name).unwrap()["tape_cm"]
+            .as_f64()
+            .unwrap()
+    };
+    let first = first_girths(&printed.err);
+    assert_eq!(first.len(), 2, "{}", printed.err);
+    for (name, [_, low, high]) in ["HC", "WC"].into_iter().zip(first) {
+        assert!(
+            (low..=high).contains(&tape(name)),
+            "{name}: {}",
+            printed.err
+        );
+    }
     let one = records(&place);
     assert!(one.len() == 2 && one[1].ends_with(".jsonl"), "{one:?}");
     let runs = place.run("cache runs --json").code(0).json();
@@ -150,7 +180,7 @@ fn a_first_answer_whose_whole_is_stopped_says_so() {
         .by_ref()
         .take_while(|l| !l.starts_with("first report:"));
     assert!(
-        before.any(|l| l.starts_with("first answer from the coarse surface")),
+        before.any(|l| l.starts_with(FIRST_ANSWER)),
         "no first answer"
     );
     before.for_each(drop);
