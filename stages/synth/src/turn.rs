@@ -5,7 +5,7 @@ use crate::drawn::{Palette, Placed};
 use crate::photograph::{
     Scene, developed, empty_room, fixed_pose, with_body, with_disk, with_reflection,
 };
-use crate::restless::restless;
+use crate::restless::Live;
 use crate::room::Room;
 use crate::skin::Look;
 use nalgebra::Point3;
@@ -71,6 +71,18 @@ stage::params! {
         #[range(0.0..=200.0)]
         #[source(structural)]
         restless_mm: f64 = 0.0,
+        /// How far feet are elsewhere in each photo, one standard deviation a side: legs follow from the hip down.
+        #[range(0.0..=200.0)]
+        #[source(structural)]
+        feet_mm: f64 = 0.0,
+        /// How far shorts hang away from the legs at their hem, in folds that hang otherwise in each photo.
+        #[range(0.0..=200.0)]
+        #[source(structural)]
+        worn_mm: f64 = 0.0,
+        /// How far the body turns while the camera reads its rows, one after the other.
+        #[range(0.0..=45.0)]
+        #[source(structural)]
+        read_deg: f64 = 0.0,
         /// Seed of textures and noise.
         #[range(0..=1000000)]
         #[chance(seed)]
@@ -118,6 +130,13 @@ impl Stage for TakePhotos {
         let scene = scene(p, cameras, &first, mesh, mat, rim);
         let room = empty_room(&scene, &first, &fixed);
         let normals = mesh.normals();
+        let live = Live {
+            hands_mm: p.restless_mm,
+            feet_mm: p.feet_mm,
+            worn_mm: p.worn_mm,
+            read_rad: p.read_deg.to_radians(),
+            seed: p.seed,
+        };
         let steps = ctx.steps("photos", cameras.views.len());
         let take = |(id, view): &(PhotoId, shape::View)| -> Result<Photo, Stop> {
             let camera = &view.camera;
@@ -126,11 +145,11 @@ impl Stage for TakePhotos {
             let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&room), camera, &fixed);
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
             with_reflection(&scene, &mut seen, mesh, camera, motion);
-            if p.restless_mm > 0.0 {
-                let live = restless(mesh, p.restless_mm, p.seed, id.0);
-                with_body(&scene, &mut seen, &live, &live.normals(), camera, motion);
-            } else {
+            if live.rests() {
                 with_body(&scene, &mut seen, mesh, &normals, camera, motion);
+            } else {
+                let now = live.body((mesh, &normals), id.0, camera, motion);
+                with_body(&scene, &mut seen, &now, &now.normals(), camera, motion);
             }
             let rgb = developed(
                 &seen,
