@@ -651,5 +651,7 @@ warn-walk-lost = { $name } (Foto { $number }) hat zu wenig mit den anderen gemei
 warn-wide-mat = die Marken der Matte reichen { $reach } von der Mitte der Scheibe, die Scheibe endet aber bei { $disk }: eine gedruckte Marke, den Ring und die Scheibe messen und berichtigen, was falsch ist
 warn-wide-rim = der Streifen am Rand hat einen Radius von { $rim }, die Scheibe einen von { $disk }: die Scheibe messen und berichtigen, was falsch ist
 warn-withheld = { $one } und { $other } widersprechen einander, darum fehlt, was davon abhängt: eine Angabe berichtigen oder weglassen
+warn-worn = was getragen wird, steht am Saum von den Beinen ab, darum können bis zu { $share } dieses Umfangs Kleidung sein: enge kurze Hosen tragen
+warn-worn-hides = was getragen wird, steht am Saum, { $height } über dem Boden, um { $off } von den Beinen ab, darum ist der Körper darunter nicht bekannt: enge kurze Hosen tragen
 warn-wrong-place = { $after } kommt in der Drehung vor { $before }, nicht danach: die Fotos in die Reihenfolge der Drehung bringen
 warn-zoomed = { $name } wurde mit { $focal } aufgenommen, die meisten mit { $usual }: während einer Drehung nicht zoomen; neu aufnehmen oder weglassen

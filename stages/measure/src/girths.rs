@@ -8,6 +8,7 @@ use crate::remarks::warnings;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::picked::picked;
 use crate::sections::taken::taken;
+use crate::uncertainty::clothes::{Hem, hem};
 use crate::uncertainty::contradicted::Outlines;
 use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{by_silhouettes, open_mm};
@@ -99,28 +100,29 @@ impl Stage for Measure {
             missing: missing(&input),
             ..Girths::default()
         };
-        let outlines = outlines(&input, body.as_ref());
+        let body = body.as_ref();
+        let (outlines, hem) = (outlines(&input, body), body.and_then(hem));
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
         let lost = |l: &&Landmark| lost(&input, l).is_some();
         for landmark in landmarks.found.iter().filter(|l| !lost(l)) {
-            match taken(mesh, body.as_ref(), landmark) {
+            match taken(mesh, body, landmark) {
                 Ok(here) => {
-                    let seen = seen(body.as_ref(), landmark, &here, &input, outlines.as_ref());
+                    let by = (outlines.as_ref(), hem);
+                    let seen = seen(body, landmark, &here, &input, by);
                     all.push((landmark, here, seen));
                 }
-                Err(reason) => refuse(landmark, reason, &mut girths),
+                Err(reason) => refuse(landmark, (reason, None), &mut girths),
             }
             steps.tick()?;
         }
         let sure = sure(p, &input, &all);
         for (landmark, here, seen) in all {
-            let level = body
-                .as_ref()
-                .map_or(Level::default(), |b| level_spread(mesh, b, landmark, &here));
+            let level = body.map_or(Level::default(), |b| level_spread(mesh, b, landmark, &here));
+            let worn = hem.filter(|_| seen.worn_mm > 0.0);
             match sure.girth(landmark, here, &seen, level) {
                 Ok(girth) => girths.girths.push(girth),
-                Err(reason) => refuse(landmark, reason, &mut girths),
+                Err(reason) => refuse(landmark, (reason, worn), &mut girths),
             }
             steps.tick()?;
         }
@@ -131,9 +133,7 @@ impl Stage for Measure {
                 Err(reason) => girths.missing.push(Missing::new(GirthId::Picked, reason)),
             }
         }
-        if let Some(body) = &body {
-            girths.profile = profile(body, &girths);
-        }
+        girths.profile = body.map_or_else(Default::default, |body| profile(body, &girths));
         compress(&mut girths, p.compression_pct);
         let rig = input.photos.as_ref().map(|photos| photos.rig.clone());
         let rig = rig.unwrap_or_default();
@@ -199,11 +199,12 @@ fn outlines(input: &GirthInput, body: Option<&Body>) -> Option<Outlines> {
     Outlines::of(cameras, masks, body?.stature)
 }
 
-/// Takes down why a girth is not given.
-fn refuse(landmark: &Landmark, reason: Refusal, girths: &mut Girths) {
+/// Takes down why a girth is not given: because of a hem, if one hides it.
+fn refuse(landmark: &Landmark, (reason, hem): (Refusal, Option<Hem>), girths: &mut Girths) {
+    let why = hem.map_or_else(|| reason.message(), |hem| hem.hides(girths.unit));
     girths.missing.push(Missing {
         name: landmark.name.clone(),
-        ..Missing::new(landmark.id, reason)
+        ..Missing::because(landmark.id, reason, why)
     });
 }
 
@@ -232,8 +233,9 @@ fn seen(
     landmark: &Landmark,
     here: &SectionMeasurement,
     input: &GirthInput,
-    outlines: Option<&Outlines>,
+    (outlines, hem): (Option<&Outlines>, Option<Hem>),
 ) -> Seen {
+    let worn_mm = hem.map_or(0.0, |hem| hem.around_mm(landmark));
     let (cameras, masks) = (input.cameras.as_deref(), input.masks.as_deref());
     let (Some(body), Some((cameras, masks))) = (body, cameras.zip(masks)) else {
         return Seen {
@@ -241,12 +243,14 @@ fn seen(
             // A surface that no photos made has no corners of theirs.
             open_mm: cameras.is_none().then_some(0.0),
             left_out_mm: 0.0,
+            worn_mm,
         };
     };
     Seen {
         support: by_silhouettes(body, landmark, here, cameras, masks),
         open_mm: Some(open_mm(body, landmark, here, cameras)),
         left_out_mm: outlines.map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
+        worn_mm,
     }
 }
 

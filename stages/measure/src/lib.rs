@@ -83,6 +83,7 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     planes::joints::MESSAGES,
     planes::place::MESSAGES,
     remarks::MESSAGES,
+    uncertainty::clothes::MESSAGES,
     LandmarkError::MESSAGES,
 ];
 

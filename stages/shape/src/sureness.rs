@@ -5,6 +5,7 @@ use stage::{Message, message};
 
 stage::messages! {
     OPEN = "note-open": "no photo shows the outline along part of this section (hands in front, or too few photos): up to {share:.1 %} of the tape may not be body; take more photos, or hold the hands farther away";
+    WORN = "warn-worn": "what is worn hangs away from the legs at its hem, so up to {share:.0 %} of this girth may be clothes: wear tight shorts";
     SPLINE_LEFT = "warn-spline-left": "the smooth curve through the surface's points (the spline) is {off:+.0 %} off the exact section: the surface is too coarse there; take the tape or the contour";
     FOLDS = "warn-folds": "the skin is {share:.0 %} longer than a tape, which points to a hole in the surface or to an arm that touches it: look at the section";
 }
@@ -21,7 +22,7 @@ pub struct Sigmas {
     pub scale_mm: Option<f64>,
     /// What another limb hides and was parted from it.
     pub split_mm: Option<f64>,
-    /// Corners that no photo's outline confirms; shortens, never lengthens.
+    /// Corners that no photo's outline confirms, and clothes that hang away from the body; shortens, never lengthens.
     pub cover_mm: Option<f64>,
 }
 
@@ -98,6 +99,11 @@ pub enum Note {
         /// How much, as a share.
         share: f64,
     },
+    /// What is worn hangs away from the legs at its hem.
+    Worn {
+        /// Share of the tape that may be clothes.
+        share: f64,
+    },
 }
 
 impl Note {
@@ -105,6 +111,7 @@ impl Note {
     pub fn message(&self) -> Message {
         match self {
             Note::Open { share } => message!(OPEN, share = 100.0 * share),
+            Note::Worn { share } => message!(WORN, share = 100.0 * share),
             Note::SplineLeft { share } => message!(SPLINE_LEFT, off = 100.0 * share),
             Note::Folds { share } => message!(FOLDS, share = 100.0 * share),
         }

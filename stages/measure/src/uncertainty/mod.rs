@@ -1,5 +1,6 @@
 //! How sure a girth is, part by part.
 
+pub(crate) mod clothes;
 pub(crate) mod contradicted;
 pub(crate) mod interval;
 pub(crate) mod outlines;

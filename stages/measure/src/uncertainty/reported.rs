@@ -22,6 +22,8 @@ pub(crate) struct Seen {
     pub(crate) open_mm: Option<f64>,
     /// How much longer the tape would be with what one photo alone denies, against all others; 0 where nobody looked. \[mm\]
     pub(crate) left_out_mm: f64,
+    /// How much longer the tape is by clothes that hang away from the legs at their hem; 0 where none do. \[mm\]
+    pub(crate) worn_mm: f64,
 }
 
 /// What is known of the surface's error.
@@ -86,13 +88,12 @@ impl Sure<'_> {
             Some(_) => self.surface(at),
             None => self.unseen(at),
         };
-        let outline = seen.support.as_ref().map(|s| {
-            let shared = self.cameras.map_or(0.0, |c| shared_border(c, at));
-            (s.girth, libm::hypot(s.sigma, shared))
-        });
+        let shared = self.cameras.map_or(0.0, |c| shared_border(c, at));
+        let outline = seen.support.as_ref();
+        let outline = outline.map(|s| (s.girth, libm::hypot(s.sigma, shared)));
         let (tape_mm, (mean, width)) = match self.hull {
             true => {
-                let round = round(here.tape_mm, TAU * surface, outline, seen);
+                let round = round(here.tape_mm, (TAU * surface, shared), outline, seen);
                 (round.0, round)
             }
             false => (
@@ -101,7 +102,7 @@ impl Sure<'_> {
             ),
         };
         let width = libm::hypot(width, seen.left_out_mm);
-        let sigmas = Sigmas {
+        let mut sigmas = Sigmas {
             level_mm: level.against_definition,
             surface_mm: Some(width),
             scale_mm: self.scale(here.tape_mm),
@@ -112,6 +113,11 @@ impl Sure<'_> {
                 false => seen.open_mm,
             },
         };
+        // What is worn matters once the body under it may be outside of the interval.
+        let worn = Some(seen.worn_mm).filter(|mm| *mm > reach(&sigmas));
+        if let Some(mm) = worn {
+            sigmas.cover_mm = Some(libm::hypot(mm, sigmas.cover_mm.unwrap_or(0.0)));
+        }
         let interval_mm = reported(tape_mm, mean, &sigmas, self.widest)?;
         let again = level
             .again
@@ -126,7 +132,7 @@ impl Sure<'_> {
             split: (here.carried > 0.0).then_some(Split {
                 share: here.carried,
             }),
-            notes: notes(landmark, &here, seen),
+            notes: notes(landmark, &here, (seen, worn)),
             contour: here
                 .contour
                 .iter()
@@ -138,11 +144,17 @@ impl Sure<'_> {
 }
 
 /// A tape of a hull and its standard deviation: the girth by outlines, which has no corners, and from which no photo alone
-/// takes a slice; else with round arcs for corners that no outline confirms. It may err by half of what it differs. \[mm\]
-fn round(tape: f64, surface: f64, outline: Option<(f64, f64)>, seen: &Seen) -> (f64, f64) {
+/// takes a slice; else with round arcs for corners that no outline confirms, off by what all borders are, too. It may err by
+/// half of what it differs. \[mm\]
+fn round(
+    tape: f64,
+    (surface, shared): (f64, f64),
+    outline: Option<(f64, f64)>,
+    seen: &Seen,
+) -> (f64, f64) {
     let (round, sigma) = match outline {
         Some(girth) => girth,
-        None => (tape - seen.open_mm.unwrap_or(0.0), 0.0),
+        None => (tape - seen.open_mm.unwrap_or(0.0), shared),
     };
     (
         round,
@@ -161,6 +173,15 @@ fn reported(
     if !sigmas.unknown().is_empty() {
         return Ok(None);
     }
+    let ends = interval(tape, mean, reach(sigmas), sigmas.cover_mm.unwrap_or(0.0));
+    match too_wide(tape, ends, widest) {
+        true => Err(Refusal::TooUncertain),
+        false => Ok(Some(ends)),
+    }
+}
+
+/// How far an interval reaches by all that lengthens and shortens a tape alike. \[mm\]
+fn reach(sigmas: &Sigmas) -> f64 {
     let both = [
         sigmas.level_mm,
         sigmas.surface_mm,
@@ -168,17 +189,19 @@ fn reported(
         sigmas.split_mm,
     ];
     let square: f64 = both.iter().flatten().map(|mm| mm * mm).sum();
-    let reach = NINE_IN_TEN * square.sqrt();
-    let ends = interval(tape, mean, reach, sigmas.cover_mm.unwrap_or(0.0));
-    match too_wide(tape, ends, widest) {
-        true => Err(Refusal::TooUncertain),
-        false => Ok(Some(ends)),
-    }
+    NINE_IN_TEN * square.sqrt()
 }
 
-/// What the user should know of a section.
-fn notes(landmark: &Landmark, here: &SectionMeasurement, seen: &Seen) -> Vec<Note> {
+/// What the user should know of a section, and of what is worn there if that matters. \[mm\]
+fn notes(
+    landmark: &Landmark,
+    here: &SectionMeasurement,
+    (seen, worn): (&Seen, Option<f64>),
+) -> Vec<Note> {
     let mut notes = Vec::new();
+    notes.extend(worn.map(|mm| Note::Worn {
+        share: mm / here.tape_mm,
+    }));
     let open = seen.open_mm.unwrap_or(0.0) / here.tape_mm;
     if open > OPEN {
         notes.push(Note::Open { share: open });
@@ -204,15 +227,16 @@ mod tests {
             support: None,
             open_mm: Some(open),
             left_out_mm: 0.0,
+            worn_mm: 0.0,
         };
-        let (tape, sigma) = round(1000.0, 3.0, Some((980.0, 1.0)), &seen(40.0));
+        let (tape, sigma) = round(1000.0, (3.0, 0.5), Some((980.0, 1.0)), &seen(40.0));
         assert_eq!(tape, 980.0);
         assert!((10.0..11.0).contains(&sigma), "{sigma}");
-        let (tape, sigma) = round(1000.0, 3.0, None, &seen(40.0));
+        let (tape, sigma) = round(1000.0, (3.0, 8.0), None, &seen(40.0));
         assert_eq!(tape, 960.0);
-        assert!((20.0..21.0).contains(&sigma), "{sigma}");
+        assert!((21.7..22.0).contains(&sigma), "{sigma}");
         // Masks that each lack a bit elsewhere leave too little of a hull.
-        let (tape, sigma) = round(960.0, 3.0, Some((1000.0, 1.0)), &seen(0.0));
+        let (tape, sigma) = round(960.0, (3.0, 0.5), Some((1000.0, 1.0)), &seen(0.0));
         assert_eq!(tape, 1000.0);
         assert!((20.0..21.0).contains(&sigma), "{sigma}");
     }

@@ -4,6 +4,7 @@ mod arms_at_sides;
 mod bad_input;
 mod bodies;
 mod causes;
+mod clothes;
 mod cut_off;
 mod declared;
 mod disputed;

@@ -1,0 +1,130 @@
+//! Whether what is worn ends on the legs with a hem that hangs away from them: below it the outline of both legs together is
+//! smaller all around, by a step that no bare leg has.
+
+use crate::features::body::Body;
+use crate::geometry::slices::Slice;
+use nalgebra::Vector3;
+use shape::{GirthId, Landmark, Unit};
+use stage::{Field, Message, message};
+use std::f64::consts::TAU;
+
+stage::messages! {
+    HIDES = "warn-worn-hides": "what is worn hangs away from the legs by {off} at its hem, {height} above the ground, so the body under it is not known: wear tight shorts";
+}
+
+/// Directions to which legs reach, structural.
+const WAYS: usize = 24;
+/// Slices to either side that a straight line is laid through, and slices to either side that are passed over before it, where
+/// a hem is looked for, structural.
+const SHARP: (usize, usize) = (8, 0);
+/// The same where it is measured, structural: a hem hangs 2 cm lower here than there.
+const WIDE: (usize, usize) = (12, 4);
+/// Where a hem is looked for, as shares of stature, structural: between ankles and crotch.
+const LEGS: (f64, f64) = (0.12, 0.44);
+/// How sharply bare legs step at most, as a share of stature. Fitted: mean and three standard deviations of the first forty
+/// bodies of `models/made/strangers.py`; of six scans the most is 0.0005.
+const BARE: f64 = 0.0009;
+/// What is seen of a hem is beyond so many standard deviations (three-sigma rule: Pukelsheim 1994).
+const SURE: f64 = 3.0;
+
+/// A hem that hangs away from the legs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Hem {
+    /// How far it is away, the middle of all directions. \[mm\]
+    pub(crate) off_mm: f64,
+    /// Its height above the ground. \[mm\]
+    pub(crate) above_mm: f64,
+    /// The same in the surface's frame. \[mm\]
+    z_mm: f64,
+}
+
+impl Hem {
+    /// How much longer a tape may be by what is worn: of hip and thighs above it. \[mm\]
+    pub(crate) fn around_mm(&self, landmark: &Landmark) -> f64 {
+        let below = matches!(
+            landmark.id,
+            GirthId::Hip | GirthId::HipGreatest | GirthId::Thigh(_)
+        );
+        match below && landmark.plane.point_mm[2] > self.z_mm {
+            true => TAU * self.off_mm,
+            false => 0.0,
+        }
+    }
+
+    /// Why a girth under it is not given.
+    pub(crate) fn hides(&self, unit: Unit) -> Message {
+        let length = |mm: f64| match unit {
+            Unit::Metric => Field::number(mm / 10.0, 1, "cm"),
+            unit => unit.field(mm),
+        };
+        message!(
+            HIDES,
+            off = length(self.off_mm),
+            height = length(self.above_mm)
+        )
+    }
+}
+
+/// The hem that hangs away most sharply, if any does.
+pub(crate) fn hem(body: &Body) -> Option<Hem> {
+    let far = (WIDE.0 + WIDE.1) as f64 * (body.slices.get(1)?.z - body.slices[0].z);
+    let [low, high] = [LEGS.0, LEGS.1].map(|share| body.ground + share * body.stature);
+    let slices: Vec<&Slice> = body.between(low - far, high + far).collect();
+    let reaches: Vec<[f64; WAYS]> = slices.iter().map(|s| reach(s)).collect::<Option<_>>()?;
+    let inside = WIDE.0 + WIDE.1..slices.len().saturating_sub(WIDE.0 + WIDE.1);
+    let sharp = |i: usize| step(&reaches, i, SHARP);
+    let all: Vec<f64> = inside.clone().map(sharp).collect();
+    let usual = middle(all.clone());
+    let spread = 1.4826 * middle(all.iter().map(|s| (s - usual).abs()).collect());
+    let most = inside.clone().zip(all);
+    let (at, most) = most.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let wide = (at - WIDE.1..=at + WIDE.1).filter(|i| inside.contains(i));
+    let off_mm = wide.map(|i| step(&reaches, i, WIDE)).fold(most, f64::max);
+    let bare = libm::hypot(SURE * spread, BARE * body.stature);
+    (most > bare).then_some(Hem {
+        off_mm,
+        above_mm: slices[at].z - body.ground,
+        z_mm: slices[at].z,
+    })
+}
+
+/// How much farther legs reach above a slice than below it, the middle of all directions. \[mm\]
+fn step(reaches: &[[f64; WAYS]], at: usize, (beside, passed): (usize, usize)) -> f64 {
+    // What a value counts for where a straight line through all meets the slice's lower end.
+    let n = beside as f64;
+    let mean = passed as f64 + n / 2.0;
+    let place = |k: usize| (passed + k) as f64 + 0.5 - mean;
+    let square: f64 = (0..beside).map(|k| place(k) * place(k)).sum();
+    let more = |way: usize| -> f64 {
+        let both = (0..beside).map(|k| {
+            let above = reaches[at + passed + k][way];
+            let below = reaches[at - 1 - passed - k][way];
+            (1.0 / n - mean * place(k) / square) * (above - below)
+        });
+        both.sum()
+    };
+    middle((0..WAYS).map(more).collect())
+}
+
+/// How far both legs reach together, by direction; `None` where there are none. \[mm\]
+fn reach(slice: &Slice) -> Option<[f64; WAYS]> {
+    let first = slice.rings.first()?;
+    let other = slice.rings.get(1).filter(|r| r.area > 0.4 * first.area);
+    let points = || {
+        first
+            .curve
+            .iter()
+            .chain(other.iter().flat_map(|r| &r.curve))
+    };
+    Some(std::array::from_fn(|way| {
+        let (s, c) = libm::sincos(TAU * way as f64 / WAYS as f64);
+        let n = Vector3::new(c, s, 0.0);
+        points().map(|p| n.dot(&p.coords)).fold(f64::MIN, f64::max)
+    }))
+}
+
+/// The number in the middle; 0 of none.
+fn middle(mut all: Vec<f64>) -> f64 {
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(0.0)
+}
