@@ -21,6 +21,8 @@ stage::messages! {
     /// What mends an [`OTHER_MAT`].
     HAND_OVER = "find-mat-other-mend": "hand over the file of the mat on the disk with --mat, or correct `[mat]` in capture.toml";
     NOTHING = "find-can-no-mat": "no, with this mat: see above";
+    /// Where --turning is given, and it does not.
+    NOT_ON_THE_SPOT = "find-can-not-turning": "no: nobody turns before a fixed camera on these photos, or a disk or a mat is there";
 }
 
 /// Arguments of `tailor doctor`.
@@ -34,6 +36,9 @@ pub(crate) struct Doctor {
     /// Take the folder's video, though there are photos, too
     #[arg(long)]
     video: bool,
+    /// Somebody turned on the spot, without a disk: what can be measured so, and nothing of a disk
+    #[arg(long)]
+    turning: bool,
     #[command(flatten)]
     facts: Facts,
 }
@@ -161,8 +166,16 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
         global,
     )?;
     let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
-    if !stopped && on_the_spot(&look) {
-        look.findings["can"]["turning"] = json!(stage::message!(ON_THE_SPOT));
+    let turns = !stopped && on_the_spot(&look);
+    if turns || args.turning {
+        let how = if turns { ON_THE_SPOT } else { NOT_ON_THE_SPOT };
+        look.findings["can"]["turning"] = json!(Message::new(&how, []));
+    }
+    if let Some(can) = look.findings["can"]
+        .as_object_mut()
+        .filter(|_| args.turning)
+    {
+        can.retain(|what, _| ["lengths", "turning"].contains(&what.as_str()));
     }
     if global.json {
         let mut found = look.findings;

@@ -380,6 +380,7 @@ find-can-features = aus dem, was sich mit der Person dreht: gemusterte Kleidung,
 find-can-mat = aus der Matte, Foto für Foto
 find-can-no = nein
 find-can-no-mat = mit dieser Matte nicht: siehe oben
+find-can-not-turning = nein: auf diesen Fotos dreht sich niemand vor einer festen Kamera, oder eine Scheibe oder Matte ist da
 find-can-ratios = ja, mit Verhältnissen; der Body-Mass-Index braucht Gewicht und Körpergröße
 find-can-relative = relativ: Verhältnisse stimmen, keine Zentimeter
 find-can-stopped = so nicht: siehe oben

@@ -77,6 +77,11 @@ fn what_is_odd_is_told_by_photo_and_what_can_be_measured() {
     assert!(line("blurred").contains("0003.jpg: "), "{reported}");
     assert!(line("exposed from").contains("0008.jpg: "), "{reported}");
     assert!(reported.contains("what can be measured"), "{reported}");
+    // A statue on a mat is nobody who turns on the spot.
+    let reported = place.run("doctor turn --json --turning").code(0).json();
+    let can = reported["can"].as_object().unwrap();
+    assert_eq!(can.keys().collect::<Vec<_>>(), ["lengths", "turning"]);
+    assert_eq!(can["turning"]["code"], "find-can-not-turning", "{reported}");
 }
 
 #[test]
