@@ -18,7 +18,6 @@ use std::sync::Arc;
 stage::messages! {
     /// Where [`on_the_spot`] holds.
     ON_THE_SPOT = "find-can-turning": "a person turns before a fixed camera: without a disk, give --turning --stature CM";
-    /// What mends an [`OTHER_MAT`].
     HAND_OVER = "find-mat-other-mend": "hand over the file of the mat on the disk with --mat, or correct `[mat]` in capture.toml";
     NOTHING = "find-can-no-mat": "no, with this mat: see above";
     /// Where --turning is given, and it does not.

@@ -1,7 +1,9 @@
 //! The stage that takes a surface from elsewhere: a scan, or any mesh as PLY, OBJ, STL, OFF, GLB or 3MF.
 
 pub use crate::scan::Unit;
-use crate::scan::{MOST_FACES, Read, agreed, announced, closed, pieces, read, turned, unit, up};
+use crate::scan::{
+    MOST_FACES, Read, agreed, announced, closed, crown_opened, pieces, read, turned, unit, up,
+};
 use shape::Mesh;
 use stage::{Ctx, Files, FilesError, Stage, Stop, message};
 use std::sync::Arc;
@@ -143,11 +145,13 @@ fn upright(read: Read, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> Result<M
     if p.scan {
         mesh = body(mesh, name, ctx)?;
     }
-    let (holes, largest) = if p.scan { closed(&mut mesh) } else { (0, 0.0) };
+    let mut covers = if p.scan { closed(&mut mesh) } else { vec![] };
     let (unit, mm) = oriented(&mut mesh, p, (name, unit), ctx);
-    if holes > 0 {
-        let across = largest * mm;
-        ctx.warn(message!(HOLES, name = name, count = holes, across = across));
+    crown_opened(&mut mesh, &mut covers);
+    let largest = covers.iter().map(|cover| cover.across * mm);
+    if let Some(across) = largest.reduce(f64::max) {
+        let count = covers.len();
+        ctx.warn(message!(HOLES, name = name, count = count, across = across));
     }
     match mesh.validate_closed() {
         Ok(()) => {}

@@ -7,8 +7,59 @@ use std::collections::BTreeMap;
 /// stature long by ANSUR II, and longer in a shoe; a body that is cut off is open 0.3 and more).
 const LARGEST: f64 = 0.2;
 
-/// Closes holes; how many, and how far the largest is across, in the file's unit.
-pub(crate) fn closed(mesh: &mut Mesh) -> (usize, f64) {
+/// A hole in the upper half of a head is at most so far across, as a share of stature: a flat cover over more would take more than
+/// 0.3 % of it (derived: of a ball with a head's radius, 0.055 of stature).
+const CROWN: f64 = 0.036;
+/// The upper half of a head, as a share of stature (derived: half of menton to top of head, ANSUR II).
+const HEAD: f64 = 0.065;
+
+/// The cover of a hole.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Cover {
+    /// The vertex in its middle, and those around it.
+    middle: u32,
+    edge: Vec<u32>,
+    /// How far the hole is across, in the file's unit.
+    pub(crate) across: f64,
+}
+
+/// Opens again, of a surface with z up, what took the place of the crown: heights must not end at a flat cover.
+pub(crate) fn crown_opened(mesh: &mut Mesh, covers: &mut Vec<Cover>) {
+    let Some((low, high)) = mesh.bounds() else {
+        return;
+    };
+    let tall = high.z - low.z;
+    let crown = |cover: &Cover| {
+        let at = cover.edge.iter().map(|v| mesh.point(*v));
+        let [x, y] = [0, 1].map(|k| {
+            let all = at.clone().map(|p| p[k]);
+            all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
+        });
+        let top = at.map(|p| p.z).fold(f64::MIN, f64::max);
+        top > high.z - HEAD * tall && x.max(y) > CROWN * tall
+    };
+    let open: Vec<u32> = covers
+        .iter()
+        .filter(|c| crown(c))
+        .map(|c| c.middle)
+        .collect();
+    if open.is_empty() {
+        return;
+    }
+    covers.retain(|cover| !open.contains(&cover.middle));
+    let faces = mesh
+        .faces
+        .iter()
+        .filter(|f| !f.iter().any(|v| open.contains(v)));
+    let faces: Vec<[u32; 3]> = faces.copied().collect();
+    *mesh = Mesh {
+        unit: mesh.unit,
+        ..Mesh::packed(&mesh.positions, &faces)
+    };
+}
+
+/// Closes holes.
+pub(crate) fn closed(mesh: &mut Mesh) -> Vec<Cover> {
     let extent = |all: &mut dyn Iterator<Item = [f32; 3]>| {
         let [low, high] = all.fold([[f32::MAX; 3], [f32::MIN; 3]], |[low, high], p| {
             [
@@ -21,7 +72,7 @@ pub(crate) fn closed(mesh: &mut Mesh) -> (usize, f64) {
             .fold(0.0, f64::max)
     };
     let most = LARGEST * extent(&mut mesh.positions.iter().copied());
-    let (mut count, mut largest) = (0, 0.0f64);
+    let mut covers = Vec::new();
     for edge in edges(mesh) {
         let n = edge.len();
         let across = extent(&mut edge.iter().map(|v| mesh.positions[*v as usize]));
@@ -38,9 +89,13 @@ pub(crate) fn closed(mesh: &mut Mesh) -> (usize, f64) {
         }
         let fan = (0..n).map(|i| [edge[i], edge[(i + 1) % n], new]);
         mesh.faces.extend(fan);
-        (count, largest) = (count + 1, largest.max(across));
+        covers.push(Cover {
+            middle: new,
+            edge,
+            across,
+        });
     }
-    (count, largest)
+    covers
 }
 
 /// Edges of holes, in the direction in which a face beyond them would run. Where several meet in a vertex, each is taken by itself.
@@ -91,7 +146,7 @@ mod tests {
             ..Mesh::default()
         };
         mesh.faces.remove(0);
-        assert_eq!(closed(&mut mesh).0, 0);
+        assert_eq!(closed(&mut mesh), []);
         // A long strip with two sides, without one of its faces.
         let mut mesh = Mesh {
             positions: (0..40)
@@ -113,8 +168,37 @@ mod tests {
         // Two that meet in a vertex.
         mesh.faces.remove(44);
         mesh.faces.remove(40);
-        let (count, across) = closed(&mut mesh);
-        assert_eq!((count, mesh.faces.len()), (2, whole + 4));
-        proof::near(across, 1.0, 1e-6);
+        let covers = closed(&mut mesh);
+        assert_eq!((covers.len(), mesh.faces.len()), (2, whole + 4));
+        proof::near(covers[0].across, 1.0, 1e-6);
+    }
+
+    #[test]
+    fn a_crown_that_is_cut_off_stays_open_and_soles_are_closed() {
+        // A tube with a ring of vertices at each height, open at both ends.
+        let (around, heights) = (24u32, 40u32);
+        let tube = |radius: f64| {
+            let at = |k: u32| {
+                let (s, c) = libm::sincos(f64::from(k % around) / 24.0 * std::f64::consts::TAU);
+                [radius * c, radius * s, f64::from(k / around) * 44.0].map(|x| x as f32)
+            };
+            let face = |k: u32| {
+                let (a, b) = (k, k / around * around + (k + 1) % around);
+                [[a, b, a + around], [b, b + around, a + around]]
+            };
+            Mesh {
+                positions: (0..around * heights).map(at).collect(),
+                faces: (0..around * (heights - 1)).flat_map(face).collect(),
+                ..Mesh::default()
+            }
+        };
+        for (radius, left) in [(80.0, 1), (25.0, 2)] {
+            let mut mesh = tube(radius);
+            let mut covers = closed(&mut mesh);
+            assert_eq!(covers.len(), 2);
+            crown_opened(&mut mesh, &mut covers);
+            assert_eq!(covers.len(), left, "{radius}");
+            assert_eq!(mesh.validate_closed().is_ok(), left == 2);
+        }
     }
 }

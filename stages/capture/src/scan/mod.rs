@@ -15,5 +15,5 @@ pub(crate) use file::read;
 pub use file::{SCANS, is_scan};
 pub use given::Unit;
 pub(crate) use given::{MOST_FACES, Read};
-pub(crate) use holes::closed;
+pub(crate) use holes::{closed, crown_opened};
 pub(crate) use pose::{pieces, turned, unit, up};
