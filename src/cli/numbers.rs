@@ -49,16 +49,10 @@ fn value(known: &Known, text: &str) -> Result<toml::Value, String> {
     if number.is_some_and(believed) {
         return Ok(value);
     }
-    let unit = match known.of {
-        Quantity::Length(unit) | Quantity::Number(unit) => unit,
-        Quantity::Weight => "kg",
-        Quantity::Age => "years",
-        Quantity::Count => "",
-    };
     let bare = text.trim().parse::<f64>().ok();
     let metres = bare.filter(|n| known.of == Quantity::Length("cm") && believed(100.0 * n));
     let hint = metres.map_or(String::new(), |n| format!("; did you mean {n}m?"));
-    let limits = format!("from {least} to {most} {unit}");
+    let limits = format!("from {least} to {most} {}", known.of.unit());
     Err(format!("`{text}` is not {}{hint}", limits.trim_end()))
 }
 

@@ -161,10 +161,10 @@ impl Facts {
     pub(super) fn words(&self, plate: Option<&str>) -> Vec<String> {
         let number = |(field, known): (_, &Known)| {
             let unit = match known.of {
-                Quantity::Length(unit) => unit,
-                Quantity::Weight => "kg",
                 Quantity::Age => "y",
+                // Flags of these have a plain number.
                 Quantity::Number(_) | Quantity::Count => "",
+                of => of.unit(),
             };
             Some(format!(
                 "--{}={}{unit}",

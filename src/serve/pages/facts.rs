@@ -51,9 +51,9 @@ fn fields(words: Words, facts: &Facts) -> Vec<Field> {
                     unit,
                 )
             }
-            Quantity::Length(unit) | Quantity::Number(unit) => (number(given), unit),
-            Quantity::Weight => (number(given), "kg"),
-            Quantity::Age | Quantity::Count => (number(given), ""),
+            // The label of an age has its unit.
+            Quantity::Age => (number(given), ""),
+            of => (number(given), of.unit()),
         };
         Field { name, value, unit }
     };

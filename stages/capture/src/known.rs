@@ -37,6 +37,18 @@ pub enum Quantity {
     Count,
 }
 
+impl Quantity {
+    /// The unit; empty where there is none.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::Length(unit) | Quantity::Number(unit) => unit,
+            Quantity::Weight => "kg",
+            Quantity::Age => "years",
+            Quantity::Count => "",
+        }
+    }
+}
+
 /// A known number without a field.
 const fn known(
     key: &'static str,

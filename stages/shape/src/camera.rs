@@ -179,6 +179,13 @@ impl Camera {
         UnitVector3::new_normalize(d)
     }
 
+    /// The height at which the ray of a pixel passes the axis. \[mm\]
+    pub fn height_at_axis(&self, at_px: Point2<f64>) -> f64 {
+        let (centre, ray) = (self.centre(), self.ray(at_px));
+        let away = libm::hypot(centre.x, centre.y) / libm::hypot(ray.x, ray.y).max(1e-9);
+        centre.z + ray.z * away
+    }
+
     /// The same camera for a photo of another size.
     pub fn resized(&self, width: u32, height: u32) -> Self {
         Camera {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// A square of a photo, turned.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Crop {
     /// Its middle. \[px\]
     pub centre_px: [f32; 2],

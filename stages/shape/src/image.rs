@@ -1,7 +1,7 @@
 //! Images: rows of pixels, row-major, the centre of the top-left pixel at (0, 0).
 
 /// An image.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Image<T> {
     /// Width. \[px\]
     pub width: usize,

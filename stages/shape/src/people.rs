@@ -10,7 +10,7 @@ use stage::{Artifact, Corrupt, Packer, Unpacker};
 const STEPS: f32 = 16.0;
 
 /// A joint, or a mark of face, hand or foot.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Joint {
     /// Where. \[px\]
     pub at_px: [f32; 2],
@@ -21,7 +21,7 @@ pub struct Joint {
 }
 
 /// Somebody on a photo.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Found {
     /// How sure the detector is, 0 to 1.
     pub score: f32,

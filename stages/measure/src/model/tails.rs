@@ -19,7 +19,7 @@ pub(crate) struct Tails {
 
 /// Fitted: `freedom` is where readings and chests of made bodies of single people left out are likeliest (a test beside their errors). Their
 /// readings are hardly ever of something else, as a belly that is taken for the bust; so `bad` and `astray` are where levels are
-/// nearest once one or two readings are moved by three to eight deviations, at the cost of a hundredth of likelihood a body.
+/// nearest once one or two readings are moved by three to eight deviations, at the cost of a hundredth of likelihood a body. The program that chose these two is not in the repository, so they are by hand.
 pub(crate) const TAILS: Tails = Tails {
     freedom: 12.0,
     bad: 0.0025,

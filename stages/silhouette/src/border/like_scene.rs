@@ -79,9 +79,6 @@ mod tests {
         (13..23).for_each(|k| at[k] = [200.0, 30.0]);
         (25..33).for_each(|k| at[k] = [if k % 2 == 1 { 70.0 } else { 50.0 }, 110.0]);
         Found {
-            score: 1.0,
-            presence: 1.0,
-            head_px: [0.0; 4],
             crop: Crop {
                 centre_px: [60.0, 60.0],
                 side_px: 128.0,
@@ -95,6 +92,7 @@ mod tests {
                     presence: 1.0,
                 })
                 .to_vec(),
+            ..Found::default()
         }
     }
 

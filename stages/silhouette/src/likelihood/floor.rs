@@ -67,7 +67,7 @@ impl Soles {
             let Some(found) = people.and_then(|people| people.subject(id)) else {
                 continue;
             };
-            let at = |joint: usize| joint_height(&view.camera, found, joint);
+            let at = |joint| Some(view.camera.height_at_axis(pixel(found, joint)?));
             if let (Some(nose), [Some(left), Some(right)]) = (at(NOSE), HEELS.map(at)) {
                 soles.push((left + right) / 2.0);
                 noses.push(nose);
@@ -109,13 +109,6 @@ impl Soles {
     }
 }
 
-/// The height at which the ray of a joint passes the axis.
-fn joint_height(camera: &Camera, found: &Found, joint: usize) -> Option<f64> {
-    let (centre, ray) = (camera.centre(), camera.ray(pixel(found, joint)?));
-    let away = libm::hypot(centre.x, centre.y) / libm::hypot(ray.x, ray.y).max(1e-9);
-    Some(centre.z + ray.z * away)
-}
-
 fn pixel(found: &Found, joint: usize) -> Option<Point2<f64>> {
     let [x, y] = found.joints.get(joint)?.at_px.map(f64::from);
     Some(Point2::new(x, y))
@@ -140,7 +133,7 @@ mod tests {
     use super::*;
     use crate::likelihood::grounds::{Ground, Grounds};
     use nalgebra::Rotation3;
-    use shape::{Cameras, Crop, Image, Intrinsics, Joint, Scale};
+    use shape::{Cameras, Intrinsics, Joint, Scale};
 
     /// A camera 3 m before the axis and `up` above its origin, level.
     fn camera(up: f64) -> Camera {
@@ -166,21 +159,12 @@ mod tests {
             let px = camera.project(&at.into()).unwrap();
             Joint {
                 at_px: [px.x as f32, px.y as f32],
-                visibility: 1.0,
-                presence: 1.0,
+                ..Joint::default()
             }
         };
         Found {
-            score: 1.0,
-            presence: 1.0,
-            head_px: [0.0; 4],
-            crop: Crop {
-                centre_px: [240.0, 360.0],
-                side_px: 720.0,
-                angle: 0.0,
-            },
-            body: Image::filled(8, 8, 0),
             joints: joints.into_iter().map(joint).collect(),
+            ..Found::default()
         }
     }
 

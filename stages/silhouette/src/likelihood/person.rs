@@ -158,16 +158,13 @@ mod tests {
     #[test]
     fn log_odds_are_calibrated_within_the_square_and_nothing_beyond() {
         let found = |odds: f32| Found {
-            score: 0.9,
-            presence: 1.0,
-            head_px: [0.0; 4],
             crop: Crop {
                 centre_px: [50.0, 50.0],
                 side_px: 40.0,
                 angle: 0.0,
             },
             body: Image::filled(8, 8, Found::kept(odds)),
-            joints: vec![],
+            ..Found::default()
         };
         let people = |person: bool| People {
             views: [(PhotoId(0), vec![found(2.0)])].into_iter().collect(),

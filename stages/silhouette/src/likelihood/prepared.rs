@@ -158,13 +158,10 @@ fn certain(image: &Rgb, floor: Option<&Floor>, side_mm: f64) -> Vec<Known> {
         for x in 0..image.width {
             let at_px = Point2::new(x as f64, y as f64);
             let below = front[x] != f64::MAX && at_px.y > front[x];
-            let beside = front[x] == f64::MAX && side_mm > 0.0 && {
-                // Left and right of the disk nothing below its top can be body.
-                let centre = camera.centre();
-                let ray = camera.ray(at_px);
-                let away = libm::hypot(centre.x, centre.y) / libm::hypot(ray.x, ray.y).max(1e-9);
-                centre.z + ray.z * away < -0.2 * side_mm
-            };
+            // Left and right of the disk nothing below its top can be body.
+            let beside = front[x] == f64::MAX
+                && side_mm > 0.0
+                && camera.height_at_axis(at_px) < -0.2 * side_mm;
             if below && on_disk(camera, at_px, radius).is_none() || beside {
                 known[y * image.width + x] = Known::Background;
             }
