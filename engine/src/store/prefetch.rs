@@ -3,29 +3,34 @@
 use super::index::{Entry, Index, Stamp};
 use stage::Hash;
 use std::path::{Path, PathBuf};
-use std::thread::JoinHandle;
+use std::thread::{Builder, JoinHandle};
 
 /// From so many entries on it is worth to look at their blobs on several threads.
 const MANY: usize = 2000;
 
 /// The index of a store, read and held against its blobs on threads of its own: for whoever reads
 /// a pipeline meanwhile.
-pub struct Prefetch(JoinHandle<Index>);
+pub struct Prefetch(Result<JoinHandle<Index>, Index>);
 
 impl Prefetch {
     /// Of the store at a place, if there is one, for a pipeline file of so many bytes: a large
     /// index of which a small pipeline asks little is read only.
     pub fn of(root: &Path, pipeline_bytes: u64) -> Prefetch {
         let root: PathBuf = root.into();
-        Prefetch(std::thread::spawn(move || {
+        let read = move || {
             let mut index = Index::load(&root.join("index"));
             index.look_around(&root, pipeline_bytes as usize / LEAST_NODE_BYTES);
             index
-        }))
+        };
+        // Where the system gives no thread, it is read at once.
+        Prefetch(Builder::new().spawn(read.clone()).map_err(|_| read()))
     }
 
     pub(super) fn index(self) -> Index {
-        self.0.join().unwrap_or_default()
+        match self.0 {
+            Ok(thread) => thread.join().unwrap_or_default(),
+            Err(index) => index,
+        }
     }
 }
 
@@ -51,7 +56,9 @@ impl Index {
         let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
         std::thread::scope(|scope| {
             for chunk in entries.chunks_mut(n.div_ceil(cores.min(4))) {
-                scope.spawn(move || chunk.iter_mut().for_each(|entry| look(entry)));
+                // What no thread looks at is looked at when it is asked for.
+                let look = move || chunk.iter_mut().for_each(|entry| look(entry));
+                let _ = Builder::new().spawn_scoped(scope, look);
             }
         });
     }

@@ -249,3 +249,38 @@ fn what_waits_and_cannot_be_looked_for_is_not_taken_for_nothing() {
     let line = "cache push --store STORE --store-wait 5";
     assert_eq!(shut(&place, line, "waiting"), [Some(0), Some(1)]);
 }
+
+#[cfg(feature = "remote")]
+#[test]
+fn an_upload_that_succeeds_has_brought_everything_whatever_call_fails() {
+    let place = Place::new();
+    std::fs::create_dir(place.at("store")).unwrap();
+    place.sound("run PROGRAM --input IN=OTHER --allow-exec --quiet --store STORE");
+    let right = place.objects();
+    assert!(right.len() > 2, "{:?}", right.keys());
+    place.all_waits();
+    place.is_base();
+    let line = "cache push --store STORE --store-wait 5";
+    let whole = |place: &Place| {
+        let there = place.objects();
+        let all = right
+            .iter()
+            .all(|(name, bytes)| there.get(name) == Some(bytes));
+        must(
+            all && place.names("cache/waiting").is_empty(),
+            "not all of it is there",
+        )
+    };
+    each(&place, line, 11, &|ended| {
+        must(ended.code != Some(101), "it panicked")?;
+        let there = place.objects();
+        let half = |(name, bytes): (&String, &Vec<u8>)| there.get(name).is_some_and(|b| b != bytes);
+        must(!right.iter().any(half), "half a result")?;
+        if ended.code == Some(0) {
+            whole(&place).map_err(|what| format!("success, and {what}"))?;
+        }
+        place.sound(line);
+        whole(&place).map_err(|what| format!("again, and {what}"))?;
+        place.holds()
+    });
+}

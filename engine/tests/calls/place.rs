@@ -3,7 +3,7 @@
 use crate::traced::{Ended, Fault, run};
 use engine::past;
 use engine::store::{Store, keeper};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -155,6 +155,34 @@ impl Place {
         let name = |path: PathBuf| path.file_name()?.to_str().map(str::to_owned);
         let all = below(&self.at(folder)).into_iter();
         all.filter_map(name).collect()
+    }
+
+    /// All objects of the store by their name, without the line that names who wrote them.
+    #[cfg(feature = "remote")]
+    pub(crate) fn objects(&self) -> BTreeMap<String, Vec<u8>> {
+        let store = self.at("store");
+        let object = |path: PathBuf| {
+            let name = path.strip_prefix(&store).unwrap().display().to_string();
+            let bytes = fs::read(&path).unwrap();
+            let head = bytes.starts_with(b"stage shared");
+            let lines = bytes.splitn(2, |byte| head && *byte == b'\n');
+            (name, lines.last().unwrap_or_default().to_vec())
+        };
+        below(&store).into_iter().map(object).collect()
+    }
+
+    /// As if no result had reached the store yet: all wait for it, and nobody knows what is there.
+    #[cfg(feature = "remote")]
+    pub(crate) fn all_waits(&self) {
+        let tag = self.names("cache/shared").pop_first().expect("a store");
+        fs::remove_dir_all(self.at("cache/shared")).unwrap();
+        fs::create_dir_all(self.at("cache/waiting")).unwrap();
+        for key in self.names("cache/ac") {
+            fs::write(self.at("cache/waiting").join(format!("{key}-{tag}")), "").unwrap();
+        }
+        for shelf in ["store/ac", "store/cas"] {
+            let _ = fs::remove_dir_all(self.at(shelf));
+        }
     }
 
     /// The name of a plan.

@@ -11,21 +11,22 @@ use super::objects::{Created, Got, Object, Objects, Trouble};
 use super::pace::Pace;
 use super::patience::Patience;
 use crate::system;
-use futures_util::{StreamExt, TryStreamExt};
+use futures_util::{FutureExt, StreamExt, TryStreamExt};
 use object_store::local::LocalFileSystem;
 use object_store::path::Path;
 use object_store::{ObjectStore, ObjectStoreExt, PutMode, PutOptions, PutPayload};
 use std::time::SystemTime;
 use tokio::runtime::Runtime;
 
-/// A bucket, or a folder on a disk that machines share.
+/// A bucket, or a shared folder.
 struct Bucket {
     name: String,
     prefix: Path,
     store: Box<dyn ObjectStore>,
     /// As `store`, with time for a large result to get there.
     writes: Box<dyn ObjectStore>,
-    runtime: Runtime,
+    /// What waits for the network; a folder is read and written by the thread that asks.
+    runtime: Option<Runtime>,
     /// Where it is, if it is a folder.
     folder: Option<std::path::PathBuf>,
 }
@@ -84,8 +85,7 @@ fn made(
 ) -> Result<Box<dyn Objects>, Trouble> {
     let prefix =
         Path::parse(prefix).map_err(|e| Trouble::Refused(format!("its prefix is none: {e}")))?;
-    let mut runtime = tokio::runtime::Builder::new_multi_thread();
-    let runtime = runtime.worker_threads(2).enable_all().build();
+    let runtime = folder.is_none().then(network).transpose();
     let runtime = runtime.map_err(|e| Trouble::Refused(e.to_string()))?;
     Ok(Box::new(Bucket {
         name,
@@ -97,7 +97,20 @@ fn made(
     }))
 }
 
+fn network() -> std::io::Result<Runtime> {
+    let mut runtime = tokio::runtime::Builder::new_multi_thread();
+    runtime.worker_threads(2).enable_all().build()
+}
+
 impl Bucket {
+    /// What comes of an answer, waited for.
+    fn wait<T>(&self, answer: impl Future<Output = T>) -> T {
+        match &self.runtime {
+            Some(runtime) => runtime.block_on(answer),
+            None => answer.now_or_never().expect("bug: a folder waits"),
+        }
+    }
+
     /// Makes the folders of an object for their owner only, before it is written into them.
     fn before(&self, name: &str) {
         if let Some(folder) = &self.folder {
@@ -131,7 +144,7 @@ impl Objects for Bucket {
 
     fn get(&self, name: &str, take: &mut dyn FnMut(&[u8]) -> bool) -> Result<Got, Trouble> {
         let path = self.path(name);
-        self.runtime.block_on(async {
+        self.wait(async {
             let got = match self.store.get(&path).await {
                 Err(error) => return absent(&error).map(|()| Got::Absent),
                 Ok(got) => got,
@@ -157,7 +170,7 @@ impl Objects for Bucket {
         let path = self.path(name);
         let put = self.writes.put(&path, payload);
         self.before(name);
-        let put = self.runtime.block_on(put);
+        let put = self.wait(put);
         self.after(name);
         put.map_err(|e| trouble(&e)).map(|_| ())
     }
@@ -169,7 +182,7 @@ impl Objects for Bucket {
             .writes
             .put_opts(&path, payload, PutOptions::from(PutMode::Create));
         self.before(name);
-        let put = self.runtime.block_on(put);
+        let put = self.wait(put);
         if put.is_ok() {
             self.after(name);
         }
@@ -186,7 +199,7 @@ impl Objects for Bucket {
 
     fn size(&self, name: &str) -> Result<Option<u64>, Trouble> {
         let path = self.path(name);
-        match self.runtime.block_on(self.store.head(&path)) {
+        match self.wait(self.store.head(&path)) {
             Ok(meta) => Ok(Some(meta.size)),
             Err(error) => absent(&error).map(|()| None),
         }
@@ -200,7 +213,7 @@ impl Objects for Bucket {
             bytes: meta.size,
             modified: meta.last_modified.into(),
         };
-        self.runtime.block_on(async {
+        self.wait(async {
             let mut pages = self.store.list(path).try_chunks(1000);
             while let Some(page) = pages.next().await {
                 let page = page.map_err(|e| trouble(&e.1))?;
@@ -219,7 +232,7 @@ impl Objects for Bucket {
             .map(|root| cut_off::remove_of(root, name));
         parts.transpose().map_err(refused)?;
         let path = self.path(name);
-        match self.runtime.block_on(self.store.delete(&path)) {
+        match self.wait(self.store.delete(&path)) {
             Ok(()) => Ok(()),
             Err(error) => absent(&error),
         }

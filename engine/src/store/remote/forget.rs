@@ -15,6 +15,7 @@ use stage::Hash;
 use std::collections::BTreeSet;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::Builder;
 
 impl Store {
     /// Removes from the shared store, if there is one, what came of a folder, and what goes here; the names of what
@@ -126,7 +127,8 @@ impl Link {
         };
         std::thread::scope(|scope| {
             for _ in 1..askers(keys.len()) {
-                scope.spawn(work);
+                // Where the system gives no more threads, those that there are ask it all.
+                let _ = Builder::new().spawn_scoped(scope, work);
             }
             work();
         });

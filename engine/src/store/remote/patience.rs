@@ -1,5 +1,6 @@
 //! How long a store that does not answer may hold up a run: no longer than was said, all its waits together.
 
+use std::thread::{Builder, JoinHandle};
 use std::time::Duration;
 
 /// What was said, shared out among the waits there are: questions before results are known, uploads at the end, and the
@@ -56,6 +57,26 @@ thread_local! {
 /// Says that this thread uploads beside the work.
 pub(super) fn beside() {
     BESIDE.set(true);
+}
+
+/// So many threads that work. Where the system gives fewer, those that there are do it all.
+///
+/// # Errors
+///
+/// It gives none.
+pub(super) fn threads(
+    many: usize,
+    work: impl FnOnce() + Clone + Send + 'static,
+) -> std::io::Result<Vec<JoinHandle<()>>> {
+    let mut all = Vec::new();
+    while all.len() < many {
+        match Builder::new().spawn(work.clone()) {
+            Ok(thread) => all.push(thread),
+            Err(why) if all.is_empty() => return Err(why),
+            Err(_) => break,
+        }
+    }
+    Ok(all)
 }
 
 /// As long as something is done, this thread uploads beside the work.

@@ -11,6 +11,7 @@ use crate::store::Store;
 use stage::Hash;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::Builder;
 
 /// Requests under way at a time, where many records are wanted.
 const AT_A_TIME: usize = 16;
@@ -143,7 +144,8 @@ impl Store {
         };
         std::thread::scope(|scope| {
             for _ in 1..askers(keys.len()) {
-                scope.spawn(work);
+                // Where the system gives no more threads, those that there are ask it all.
+                let _ = Builder::new().spawn_scoped(scope, work);
             }
             work();
         });

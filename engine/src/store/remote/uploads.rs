@@ -3,7 +3,7 @@
 use super::joined;
 use super::link::{Link, MOST_HELD, Say};
 use super::objects::{Objects, Trouble};
-use super::patience::{Patience, beside};
+use super::patience::{Patience, beside, threads};
 use super::seal::Seal;
 use super::upload::{Came, upload};
 use super::waiting;
@@ -86,13 +86,14 @@ impl Sharing {
             .map_err(|trouble| NoSharing::There(name, trouble))?;
         let link = Arc::new(link);
         joined::join(root, &link);
-        let store = Arc::new(Store::open(root)?);
         link.queue().more = !read_only;
-        let work = |_| {
-            let (store, link) = (store.clone(), link.clone());
-            std::thread::spawn(move || work(&store, &link))
-        };
-        let threads = (0..if read_only { 0 } else { THREADS }).map(work).collect();
+        let many = if read_only { 0 } else { THREADS };
+        let (store, its_link) = (Arc::new(Store::open(root)?), link.clone());
+        let threads = threads(many, move || work(&store, &its_link));
+        let threads = threads.unwrap_or_else(|why| {
+            link.queue().stopped = Some(format!("no thread can be started: {why}"));
+            Vec::new()
+        });
         Ok(Sharing {
             root: root.into(),
             link,
