@@ -7,7 +7,7 @@ use stage::{AnyStage, Template, erase};
 
 // What a folder has besides photos, and what capture.toml has.
 pub(crate) use capture::{
-    KNOWN, Known, Quantity, READ, foreign, is_photo, is_plate, is_raw, is_scan, is_video,
+    KNOWN, Known, PERSONAL, Quantity, READ, foreign, is_photo, is_plate, is_raw, is_scan, is_video,
 };
 
 // The layout of a mat from its tags.

@@ -32,7 +32,7 @@ def test_every_result_of_the_doll_is_of_its_class(doll, shown):
 def test_nothing_is_known_of_a_person_of_whom_nothing_is_said(cache):
     person = tailor.Pipeline("synth", cache=cache).run("person", progress=False)["person"]
     assert type(person) is tailor.READERS["person"]
-    assert person.document == {"sex": None, "born": None, "age_months": None}
+    assert person.document == {key: None for key in "capture date sex born age_months weight_kg".split()}
 
 
 def test_a_mesh_is_looked_at_and_not_copied(shown):

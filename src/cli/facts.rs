@@ -87,10 +87,8 @@ impl Facts {
         let begin = format!("{}=", place(key));
         let stated = self.stated()?;
         let value = stated.iter().find_map(|s| s.set.strip_prefix(&begin));
-        Ok(value.map(|text| match text.parse::<f64>() {
-            Ok(_) => text.to_owned(),
-            Err(_) => toml::Value::from(text.trim_matches('"')).to_string(),
-        }))
+        let toml = |text: &str| text.parse().unwrap_or_else(|_| toml::Value::from(text));
+        Ok(value.map(|text| toml(text).to_string()))
     }
 
     /// Whether marker tags are named.
@@ -122,7 +120,7 @@ impl Facts {
         let mut all = All(Vec::new());
         if let Some(file) = &self.mat {
             for (key, value) in mat_file(file)? {
-                all.put("--mat", &file.display(), &key, value);
+                all.put("--mat", &file.display(), &key, &value);
             }
         }
         self.numbers.stated(&mut all)?;
@@ -133,7 +131,7 @@ impl Facts {
                 "--steps",
                 &steps,
                 "step_deg",
-                degrees.ok_or_else(none)?.into(),
+                &toml::Value::from(degrees.ok_or_else(none)?),
             );
         }
         for (flag, stated, key) in [
@@ -144,13 +142,13 @@ impl Facts {
             ("--born", &self.born, "subject.born"),
         ] {
             if let Some(text) = stated {
-                all.put(flag, text, key, text.clone().into());
+                all.put(flag, text, key, &toml::Value::from(text.clone()));
             }
         }
         if !self.images.is_empty() {
             let list = self.images.iter().cloned().map(toml::Value::from);
             let list = toml::Value::Array(list.collect());
-            all.put("--images", &self.images.join(" "), "images", list);
+            all.put("--images", &self.images.join(" "), "images", &list);
         }
         self.compound(&mut all)?;
         Ok(all.0)
@@ -169,23 +167,24 @@ impl Facts {
             let wrong = || Fault::input(format!("{flag} {text}: give FIRST-LAST, such as 0-11"));
             let (first, last): (u32, u32) = ends.filter(|(a, b)| a <= b).ok_or_else(wrong)?;
             let ids = vec![i64::from(first).into(), i64::from(last).into()];
-            all.put(flag, text, &format!("{key}.ids"), toml::Value::Array(ids));
+            all.put(flag, text, &format!("{key}.ids"), &toml::Value::Array(ids));
             let count = i64::from(last - first + 1);
-            all.put(flag, text, &format!("{key}.count"), count.into());
+            all.put(flag, text, &format!("{key}.count"), &count);
         }
         if let Some(text) = &self.centre_px {
             let wrong =
                 || Fault::input(format!("--centre-px {text}: give X,Y, such as 804.8,1191"));
             let pixel = numbers(text, 2).ok_or_else(wrong)?;
-            all.put("--centre-px", text, "camera.centre_px", pixel);
+            all.put("--centre-px", text, "camera.centre_px", &pixel);
         }
         if let Some(text) = &self.reference {
             let like = "give KIND=LENGTH, such as subject_height=165cm";
             let wrong = |why: &str| Fault::input(format!("--reference {text}: {why}"));
             let (kind, length) = text.split_once('=').ok_or_else(|| wrong(like))?;
             let mm = length_mm(length, "mm").map_err(|why| wrong(&why))?;
-            all.put("--reference", text, "reference.kind", kind.trim().into());
-            all.put("--reference", text, "reference.length_mm", mm.into());
+            let (kind, mm) = (toml::Value::from(kind.trim()), toml::Value::from(mm));
+            all.put("--reference", text, "reference.kind", &kind);
+            all.put("--reference", text, "reference.length_mm", &mm);
         }
         if !self.seen.is_empty() {
             let mut seen = toml::Table::new();
@@ -200,7 +199,7 @@ impl Facts {
                 "--seen",
                 &self.seen.join(" "),
                 "reference.seen",
-                seen.into(),
+                &toml::Value::from(seen),
             );
         }
         for text in &self.fact {
@@ -210,11 +209,7 @@ impl Facts {
                 ))
             };
             let (key, value) = text.split_once('=').ok_or_else(wrong)?;
-            let set = format!("{}={}", place(key.trim()), value.trim());
-            all.0.push(Stated {
-                flag: format!("--fact {text}"),
-                set,
-            });
+            all.put("--fact", text, key.trim(), &value.trim());
         }
         Ok(())
     }

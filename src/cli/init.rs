@@ -103,9 +103,10 @@ fn draft(name: &str, seen: &Look, facts: &Facts) -> Result<String, Fault> {
 fn turn(to: &mut String, name: &str, seen: &Look, facts: &Facts) -> Result<(), Fault> {
     let rig = &seen.photos.rig;
     let count = seen.photos.photos.len();
-    let name = Some(quoted(rig.name.as_deref().unwrap_or(name)));
-    line(to, "name", name, "", "what the report calls it");
-    if let Some(day) = rig.date.as_deref().map(quoted) {
+    let name = facts.given("name")?.unwrap_or_else(|| quoted(name));
+    line(to, "name", Some(name), "", "what the report calls it");
+    let day = rig.date.as_deref().map(quoted);
+    if let Some(day) = day.or(facts.given("date")?) {
         line(to, "date", Some(day), "", "the day of the capture");
     }
     let note = "so many photos are there; one that gets lost is then named";
@@ -172,9 +173,8 @@ fn subject(to: &mut String, rig: &Rig, facts: &Facts) -> Result<(), Fault> {
     let _ = writeln!(to, "\n[subject]");
     let note = "gives lengths where no mat, reference or disk does";
     line(to, "height_cm", rig.stature_mm.map(cm), "178.0", note);
-    let weight = rig.weight_kg.map(number);
-    line(to, "weight_kg", weight, "80.0", "for the body mass index");
     for (key, like, note) in [
+        ("weight_kg", "80.0", "for the body mass index"),
         (
             "sex",
             "\"female\"",

@@ -34,7 +34,7 @@ impl Numbers {
             };
             let flag = format!("--{}", known.flag);
             let value = value(known, text).map_err(|why| Fault::input(format!("{flag}: {why}")))?;
-            all.put(&flag, text, known.key, value);
+            all.put(&flag, text, known.key, &value);
         }
         Ok(())
     }

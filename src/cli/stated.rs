@@ -1,6 +1,6 @@
 //! Flags as changes of a pipeline.
 
-use crate::catalog::CATALOG;
+use crate::catalog::{CATALOG, PERSONAL};
 use crate::graph::Graph;
 use crate::recipe::{Overrides, Pipeline};
 use command::Fault;
@@ -11,8 +11,8 @@ const PLACE: &str = "photos.facts";
 /// The node that reads who is measured, and its param; what is given there is in no key of the photos.
 const PERSON: &str = "person.facts";
 
-/// The keys of `capture.toml` that only that node reads.
-pub(super) const PERSONAL: [&str; 3] = ["subject.sex", "subject.born", "subject.age_years"];
+/// The day, if it is to be read from the photos.
+const BY_EXIF: (&str, &str) = ("date", "exif");
 
 /// The param that takes a key of `capture.toml`.
 pub(super) fn place(key: &str) -> String {
@@ -40,12 +40,17 @@ impl All {
         flag: &str,
         stated: &impl ToString,
         key: &str,
-        value: toml::Value,
+        value: &impl ToString,
     ) {
-        self.0.push(Stated {
-            flag: format!("{flag} {}", stated.to_string()),
-            set: format!("{}={value}", place(key)),
-        });
+        let (stated, value) = (stated.to_string(), value.to_string());
+        let mut put = |place: String| {
+            let (flag, set) = (format!("{flag} {stated}"), format!("{place}={value}"));
+            self.0.push(Stated { flag, set });
+        };
+        put(place(key));
+        if (key, value.trim_matches('"')) == BY_EXIF {
+            put(format!("{PLACE}.{key}"));
+        }
     }
 }
 

@@ -168,6 +168,30 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
 }
 
 #[test]
+fn a_weight_a_name_and_a_day_that_come_later_make_only_girths_and_what_follows_again() {
+    let place = begun();
+    let line = format!("turn --fast {COARSE} --weight 9 --name Anna --date 2026-05-01");
+    let plan = place.run(&format!("plan measure {line} --json"));
+    let plan = plan.code(0).json();
+    let run = place.run(&format!("measure {line} --out out --json"));
+    let run = run.code(0).json();
+    let anew = |from: &serde_json::Value, key: &str, found: &str| -> Vec<String> {
+        let nodes = from["nodes"].as_array().unwrap().iter();
+        let anew = nodes.filter(|n| n[key] != found);
+        anew.map(|n| n["node"].as_str().unwrap().to_owned())
+            .collect()
+    };
+    for all in [
+        anew(&plan, "state", "cached"),
+        anew(&run, "status", "found"),
+    ] {
+        assert_eq!(all, ["person", "girths", "report"]);
+    }
+    let girths = std::fs::read_to_string(place.path("out/girths.json")).unwrap();
+    assert!(girths.contains("\"weight_kg\": 9.0"), "{girths}");
+}
+
+#[test]
 fn a_first_answer_whose_whole_is_stopped_says_so() {
     let place = begun();
     // The whole must still be under way when its first answer is there.

@@ -143,6 +143,9 @@ fn who_is_measured_is_in_no_key_but_of_what_asks_for_it() {
     assert_eq!(became(""), ["made", "found", "made"]);
     place.write("anna/capture.toml", "[subject]\nage_years = 10.5\n");
     assert_eq!(became(""), ["made", "found", "made"]);
+    let rest = "name = \"Anna\"\ndate = 2026-05-01\n[subject]\nweight_kg = 64\n";
+    place.write("anna/capture.toml", rest);
+    assert_eq!(became(""), ["made", "found", "made"]);
     place.write("anna/capture.toml", "[subject]\nage_years = 1050\n");
     let printed = place.run("run turn.toml --input photos=anna").code(1).err;
     assert!(

@@ -222,8 +222,8 @@ fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
     );
     let (a, b) = (&again.rig, &first.rig);
     assert_eq!(
-        (&a.name, a.mat, a.focal_35mm),
-        (&b.name, b.mat, b.focal_35mm)
+        (a.mat, a.focal_35mm),
+        (b.mat, b.focal_35mm)
     );
     proof::near(a.step.unwrap(), b.step.unwrap(), 1e-12);
     proof::near(a.stature_mm.unwrap(), b.stature_mm.unwrap(), 1e-9);

@@ -65,11 +65,11 @@ mod tests {
 
     #[test]
     fn what_is_given_wins_over_the_file_and_the_rest_stays() {
-        let file = "step_deg = 20.0\n[subject]\nheight_cm = 165\nweight_kg = 56\n[camera]\nfocal_px = 900\n\
+        let file = "step_deg = 20.0\n[subject]\nheight_cm = 165\n[camera]\nfocal_px = 900\n\
                     [reference]\nkind = \"subject_height\"\nlength_mm = 1650";
         let given = facts("[subject]\nheight_cm = 178\n[camera]\nfocal_35mm = 26");
         let rig = read_rig(file, &Facts::read(&given).unwrap()).unwrap().rig;
-        assert_eq!((rig.stature_mm, rig.weight_kg), (Some(1780.0), Some(56.0)));
+        assert_eq!(rig.stature_mm, Some(1780.0));
         assert_eq!((rig.focal_35mm, rig.focal_px), (Some(26.0), None));
         assert_eq!(rig.reference, None, "the file's reference is the stature");
         proof::near(rig.step.unwrap().to_degrees(), 20.0, 1e-12);

@@ -53,6 +53,7 @@ pub use look::{Look, LookInput, LookParams};
 pub use names::is_plate;
 pub use noise::{Against, noise};
 pub use person::{Personal, PersonalInput, PersonalParams};
+pub use person_keys::PERSONAL;
 pub use program::ProgramError;
 pub use raw::{Raw, RawError, RawInput, RawParams};
 pub use rig::{RigFile, read_rig};

@@ -1,7 +1,7 @@
 //! The stage that reads the photos of a turn.
 
 use crate::alike::{not_one_turn, one_size};
-use crate::date::{Day, day_of};
+use crate::date::day_of;
 use crate::enough::{as_many_as_promised, enough, thinned};
 use crate::error::CaptureError;
 use crate::facts::Facts;
@@ -83,7 +83,7 @@ pub struct Load;
 
 impl Stage for Load {
     const NAME: &'static str = "capture.load";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     const ABOUT: &'static str =
         "Reads the photos of one turn, their EXIF, capture.toml and the plate.";
     type Params = LoadParams;
@@ -130,7 +130,7 @@ impl Stage for Load {
             not_one_turn(&photos).iter().for_each(|w| ctx.warn(w));
         }
         let mut rig = known.rig;
-        if known.day == Some(Day::Exif) {
+        if known.by_exif {
             rig.date = day;
             if rig.date.is_none() {
                 ctx.warn(message!(NO_DAY));

@@ -9,7 +9,7 @@ use crate::sharpness::sharpness;
 use crate::verdict::{Seen, against_the_middle, camera_is_fixed, can, lengths};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
-use shape::{Document, People, Photo, Photos, Tags};
+use shape::{Document, People, Person, Photo, Photos, Tags};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -27,6 +27,8 @@ stage::inputs! {
         tags: Option<Arc<Tags>>,
         /// Who is on them.
         people: Option<Arc<People>>,
+        /// Who is measured: whether a weight is known.
+        person: Option<Arc<Person>>,
     }
 }
 
@@ -40,7 +42,7 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, noise, tags, frame, feet, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;
@@ -82,7 +84,8 @@ impl Stage for Look {
         findings.sort_by_key(|f| f.grade as u8);
         ctx.metric("stands still", 100.0 * together.still, "%");
         ctx.metric("findings", findings.len() as f64, "");
-        let can: Map<String, Value> = can(&seen, &findings)
+        let weighed = input.person.is_some_and(|p| p.weight_kg.is_some());
+        let can: Map<String, Value> = can(&seen, weighed, &findings)
             .into_iter()
             .map(|(what, how)| (what.to_owned(), json!(how)))
             .collect();

@@ -1,4 +1,4 @@
-//! The stage that reads who is measured out of `capture.toml`: sex and age, for growth references. They are personal,
+//! The stage that reads who is measured and when out of `capture.toml`: name, day, sex, age, weight. They are personal,
 //! so they flow apart from the photos: a stage that does not ask for them has them in no key.
 
 use crate::facts::Facts;
@@ -30,8 +30,8 @@ pub struct Personal;
 
 impl Stage for Personal {
     const NAME: &'static str = "capture.person";
-    const VERSION: u32 = 1;
-    const ABOUT: &'static str = "Reads sex and age out of capture.toml, for growth references of children; nothing else has them.";
+    const VERSION: u32 = 2;
+    const ABOUT: &'static str = "Reads name, day, sex, age and weight out of capture.toml, for what follows from girths; nothing else has them.";
     type Params = PersonalParams;
     type Input = PersonalInput;
     type Output = Person;

@@ -1,17 +1,39 @@
-//! Who is measured, in `[subject]` of `capture.toml`.
+//! Who is measured and when, in `capture.toml`.
 
-use crate::date::day_text;
+use crate::date::{Day, day_text, read_day};
 use crate::keys::{Keys, RigError};
 use shape::{Person, Sex, day_number};
 use toml::Table;
 
-/// The keys of `[subject]` that describe a person.
-pub(crate) const PERSONAL: [&str; 3] = ["sex", "born", "age_years"];
+/// The keys that describe who is measured and when: nothing of the photos depends on them.
+pub const PERSONAL: [&str; 6] = [
+    "name",
+    "date",
+    "subject.sex",
+    "subject.born",
+    "subject.age_years",
+    "subject.weight_kg",
+];
+
+/// Passes over those of `[subject]`.
+pub(crate) fn pass_over(subject: &mut Keys<'_>) {
+    let keys = PERSONAL.iter();
+    keys.filter_map(|key| key.strip_prefix("subject."))
+        .for_each(|key| drop(subject.take(key)));
+}
 
 /// What a `capture.toml` names of a person; its other keys are not read.
 pub(crate) fn read_person(table: Table) -> Result<Person, RigError> {
-    let Some(mut subject) = Keys::root(table).inner("subject")? else {
-        return Ok(Person::default());
+    let mut root = Keys::root(table);
+    let mut person = Person {
+        capture: root.text("name")?,
+        ..Person::default()
+    };
+    if let Some(Day::Given(day)) = read_day(&mut root)? {
+        person.date = Some(day);
+    }
+    let Some(mut subject) = root.inner("subject")? else {
+        return Ok(person);
     };
     let sex = match subject.take("sex") {
         None => None,
@@ -42,5 +64,7 @@ pub(crate) fn read_person(table: Table) -> Result<Person, RigError> {
         sex,
         born,
         age_months: years.map(|years| 12.0 * years),
+        weight_kg: subject.known("weight_kg")?,
+        ..person
     })
 }

@@ -3,7 +3,7 @@
 use crate::date::{Day, read_day};
 use crate::facts::Facts;
 use crate::keys::{Keys, RigError};
-use crate::person_keys::PERSONAL;
+use crate::person_keys::pass_over;
 use crate::rig_tags::{read_mat, read_rim};
 use shape::{Reference, Rig, SeenEnds};
 use toml::{Table, Value};
@@ -13,8 +13,8 @@ use toml::{Table, Value};
 pub struct RigFile {
     /// What is known.
     pub rig: Rig,
-    /// Where the day comes from.
-    pub(crate) day: Option<Day>,
+    /// Whether the day is that of the photos.
+    pub(crate) by_exif: bool,
     /// How many photos there should be.
     pub views: Option<usize>,
     /// The plate's file, relative to the folder.
@@ -45,11 +45,9 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     let mut root = Keys::root(table);
     let mut file = RigFile::default();
     let rig = &mut file.rig;
-    rig.name = root.text("name")?;
-    file.day = read_day(&mut root)?;
-    if let Some(Day::Given(day)) = &file.day {
-        rig.date = Some(day.clone());
-    }
+    // Nobody else's matter, as what a person weighs: `capture.person` reads them.
+    root.take("name");
+    file.by_exif = read_day(&mut root)? == Some(Day::Exif);
     rig.step = root.known("step_deg")?.map(f64::to_radians);
     file.views = root.known("views")?.map(|x| x as usize);
     file.plate = root.text("plate")?;
@@ -65,9 +63,7 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     }
     if let Some(mut subject) = root.inner("subject")? {
         rig.stature_mm = subject.known("height_cm")?.map(|cm| cm * 10.0);
-        rig.weight_kg = subject.known("weight_kg")?;
-        // Nobody else's matter: `capture.person` reads them.
-        PERSONAL.iter().for_each(|key| drop(subject.take(key)));
+        pass_over(&mut subject);
         subject.rest(&mut file.unknown);
     }
     if let Some(mut disk) = root.inner("disk")? {

@@ -125,8 +125,12 @@ pub(crate) fn lengths(rig: &Rig) -> Option<&'static Template> {
     }
 }
 
-/// What can be measured: a name and how.
-pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, Message)> {
+/// What can be measured, of somebody who was weighed or not: a name and how.
+pub(crate) fn can(
+    seen: &Seen<'_>,
+    weighed: bool,
+    findings: &[Finding],
+) -> Vec<(&'static str, Message)> {
     let rig = &seen.photos.rig;
     let stopped = findings.iter().any(|f| f.grade == Grade::Hopeless);
     let tags = seen
@@ -148,11 +152,11 @@ pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, M
     };
     let girths = match (
         stopped || !camera_is_fixed(seen.together),
-        rig.stature_mm.zip(rig.weight_kg),
+        rig.stature_mm.is_some() && weighed,
     ) {
         (true, _) => message!(NO_GIRTHS),
-        (_, Some(_)) => message!(WITH_BMI),
-        (_, None) => message!(WITH_RATIOS),
+        (_, true) => message!(WITH_BMI),
+        (_, false) => message!(WITH_RATIOS),
     };
     vec![
         ("cameras", cameras),

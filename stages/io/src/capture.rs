@@ -34,7 +34,6 @@ fn rig_to_toml(rig: &Rig) -> String {
     line("camera.focal_35mm", rig.focal_35mm);
     line("camera.focal_px", rig.focal_px);
     line("subject.height_cm", rig.stature_mm.map(|mm| mm / 10.0));
-    line("subject.weight_kg", rig.weight_kg);
     line("disk.diameter_cm", rig.disk_diameter_mm.map(|mm| mm / 10.0));
     line("mat.tag_size_mm", rig.tag_mm.filter(|_| rig.mat.is_none()));
     if let Some(mat) = &rig.mat {
@@ -63,9 +62,6 @@ fn rig_to_toml(rig: &Rig) -> String {
             "reference.kind = {kind:?}\nreference.length_mm = {length:?}"
         )
         .expect("bug: text");
-    }
-    if let Some(name) = &rig.name {
-        writeln!(text, "name = {name:?}").expect("bug: text");
     }
     text
 }

@@ -40,6 +40,8 @@ pub(crate) struct Evidence<'a> {
     pub(crate) lost_parts: Option<&'a LostParts>,
     /// What is known of the capture.
     pub(crate) rig: &'a Rig,
+    /// The weight that was given. \[kg\]
+    pub(crate) kg: Option<f64>,
 }
 
 /// Reasons that a body which is not whole leads to.
@@ -161,7 +163,7 @@ fn short(input: &Evidence<'_>) -> Option<(Refusal, Message)> {
 
 /// A surface that holds less than the weight that was given.
 fn light(input: &Evidence<'_>) -> Option<(Refusal, Message)> {
-    let kg = input.rig.weight_kg?;
+    let kg = input.kg?;
     let (holds, fills) = (input.mesh.volume() * 1e-6, kg / DENSITY);
     (holds < (1.0 - LACKS) * fills).then(|| {
         let why = message!(

@@ -59,11 +59,11 @@ stage::inputs! {
         landmarks: Arc<Landmarks>,
         /// Cameras: how sure the scale is.
         cameras: Option<Arc<Cameras>>,
-        /// Photos: what the user said of stature and weight.
+        /// Photos: what the user knows of the stature.
         photos: Option<Arc<Photos>>,
         /// Silhouettes: girths without the surface, where limbs stand clear.
         masks: Option<Arc<Masks>>,
-        /// Who is measured: growth references for a child, thresholds for adults.
+        /// Who is measured and when: indices, growth references for a child, thresholds for adults.
         person: Option<Arc<Person>>,
         /// Parts of the body that masks leave out: where most do, girths around them are refused.
         lost_parts: Option<Arc<LostParts>>,
@@ -82,7 +82,7 @@ const REMESHED: f64 = 0.045;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 31;
+    const VERSION: u32 = 32;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -137,12 +137,14 @@ impl Stage for Measure {
         compress(&mut girths, p.compression_pct);
         let rig = input.photos.as_ref().map(|photos| photos.rig.clone());
         let rig = rig.unwrap_or_default();
+        let person = input.person.clone().unwrap_or_default();
         let evidence = Evidence {
             mesh,
             cameras: input.cameras.as_deref(),
             masks: input.masks.as_deref(),
             lost_parts: input.lost_parts.as_deref(),
             rig: &rig,
+            kg: person.weight_kg,
         };
         let tall = Tall {
             mm: landmarks.stature_mm,
@@ -152,10 +154,11 @@ impl Stage for Measure {
         let known = Known {
             measured_mm: landmarks.stature_mm,
             given_mm: rig.stature_mm.filter(|_| disputed.is_none()),
-            kg: rig.weight_kg,
+            kg: person.weight_kg,
         };
-        (girths.capture, girths.date) = (rig.name.clone(), rig.date.clone());
-        grown(&mut girths, input.person.as_deref(), ctx);
+        girths.capture = person.capture.clone();
+        girths.date = person.date.clone().or(rig.date.clone());
+        grown(&mut girths, &person, ctx);
         girths.scale_sigma = input.cameras.as_ref().and_then(|c| c.scale_sigma);
         girths.stature_sigma_mm = landmarks.stature_sigma_mm;
         derive(&mut girths, mesh, &known);
@@ -170,8 +173,7 @@ impl Stage for Measure {
 }
 
 /// Sex, and the age on the day of the capture.
-fn grown(girths: &mut Girths, person: Option<&Person>, ctx: &Ctx<'_>) {
-    let Some(person) = person else { return };
+fn grown(girths: &mut Girths, person: &Person, ctx: &Ctx<'_>) {
     girths.sex = person.sex;
     let age = person.age_on(girths.date.as_deref());
     girths.age_months = age.filter(|months| *months >= 0.0);

@@ -90,9 +90,8 @@ pub(crate) fn page(content: &Content<'_>) -> String {
         "meshes": meshes, "tapes": scene::tapes(girths, lengths), "front": front,
         "views": scene::views(of_photos), "measured": whole.then_some(at), "lengths": scene::written(girths, lengths),
     });
-    let name = turn.map_or("a scan", |(photos, _)| {
-        photos.rig.name.as_deref().unwrap_or(UNNAMED)
-    });
+    let unnamed = if turn.is_some() { UNNAMED } else { "a scan" };
+    let name = girths.capture.as_deref().unwrap_or(unnamed);
     let relative = turn.is_none() && girths.unit == Unit::Relative;
     filled(
         include_str!("page.html"),

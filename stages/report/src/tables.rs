@@ -167,38 +167,34 @@ pub(crate) fn scale(cameras: &Cameras, rig: &Rig, lengths: Lengths) -> String {
         known => known,
     };
     let cm = |mm: f64| format!("{} {}", known_in.text(mm), known_in.word());
-    let mut known: Vec<(&str, String, Option<Scale>)> = Vec::new();
+    let mut known: Vec<(&str, String, Scale)> = Vec::new();
     if let Some(mm) = rig.tag_mm {
         let text = format!("tags of {mm:.1} mm, their layout as photos show it");
-        known.push(("marker mat", text, Some(Scale::Mat)));
+        known.push(("marker mat", text, Scale::Mat));
     }
     if let Some(mat) = &rig.mat {
         let text = format!(
             "{} tags of {:.1} mm on a ring of {:.1} mm",
             mat.count, mat.tag_mm, mat.ring_mm
         );
-        known.push(("marker mat", text, Some(Scale::Mat)));
+        known.push(("marker mat", text, Scale::Mat));
     }
     if let Some(reference) = &rig.reference {
         let kind = escaped(&reference.kind.replace('_', " "));
         let text = format!("{kind}, {:.1} mm", reference.length_mm);
-        known.push(("reference", text, Some(Scale::Reference)));
+        known.push(("reference", text, Scale::Reference));
     }
     if let Some(mm) = rig.disk_diameter_mm {
-        known.push(("disk's diameter", cm(mm), Some(Scale::Disk)));
+        known.push(("disk's diameter", cm(mm), Scale::Disk));
     }
     if let Some(mm) = rig.stature_mm {
-        known.push(("stature", cm(mm), Some(Scale::Stature)));
-    }
-    if let Some(kg) = rig.weight_kg {
-        known.push(("weight", weight(kg, lengths), None));
+        known.push(("stature", cm(mm), Scale::Stature));
     }
     html += "<table id=\"scale\" class=\"facts\">";
     for (what, text, scale) in known {
-        let role = match scale {
-            Some(scale) if scale == cameras.scale => "<b>sets the scale</b>",
-            Some(_) => "given, does not set the scale",
-            None => "given, for the body mass index",
+        let role = match scale == cameras.scale {
+            true => "<b>sets the scale</b>",
+            false => "given, does not set the scale",
         };
         let _ = write!(
             html,

@@ -1,5 +1,5 @@
-//! Who is measured, as far as growth references ask: sex and age. Personal: apart from the capture's other facts, so that
-//! only stages that ask for it have it in their keys.
+//! Who is measured and when: what results are called after, and what indices and growth references ask for. Personal: apart
+//! from the capture's other facts, so that only stages that ask for it have it in their keys, and run again when it changes.
 
 use crate::day_number;
 use serde::{Deserialize, Serialize};
@@ -25,15 +25,21 @@ impl Sex {
     }
 }
 
-/// Who is measured; all of it may be unknown.
+/// Who is measured and when; all of it may be unknown.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Person {
+    /// What the user calls the capture.
+    pub capture: Option<String>,
+    /// The day of the capture as it was given, `YYYY-MM-DD`.
+    pub date: Option<String>,
     /// The sex whose references are meant.
     pub sex: Option<Sex>,
     /// The day of birth, `YYYY-MM-DD`.
     pub born: Option<String>,
     /// The age on the day of the capture, where it was given itself. \[months\]
     pub age_months: Option<f64>,
+    /// The weight. \[kg\]
+    pub weight_kg: Option<f64>,
 }
 
 /// Days of a month on average: 365.25 / 12, as the WHO's programs count (derived).
@@ -49,7 +55,7 @@ impl Person {
 
 impl Artifact for Person {
     const KIND: &'static str = "person";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
         to.meta(self);

@@ -131,7 +131,7 @@ struct Meta {
 
 impl Artifact for Photos {
     const KIND: &'static str = "photos";
-    const FORMAT: u32 = 6;
+    const FORMAT: u32 = 7;
 
     fn pack(&self, to: &mut Packer) {
         let meta = |p: &Photo| Meta {

@@ -5,9 +5,7 @@ use serde::{Deserialize, Serialize};
 /// What is known of the capture; all of it may be unknown.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Rig {
-    /// What the user calls it.
-    pub name: Option<String>,
-    /// The day of the capture, `YYYY-MM-DD`, where it may be shown.
+    /// The day of the capture by its photos, `YYYY-MM-DD`, where that is asked for.
     pub date: Option<String>,
     /// Nominal turn between photos, positive if the subject turns counter-clockwise seen from above. \[rad\]
     pub step: Option<f64>,
@@ -19,8 +17,6 @@ pub struct Rig {
     pub centre_px: Option<[f64; 2]>,
     /// The subject's stature. \[mm\]
     pub stature_mm: Option<f64>,
-    /// The subject's weight. \[kg\]
-    pub weight_kg: Option<f64>,
     /// The disk's diameter. \[mm\]
     pub disk_diameter_mm: Option<f64>,
     /// The marker mat on the disk.

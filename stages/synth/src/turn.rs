@@ -113,7 +113,7 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Takes the photos of a turn of any mesh: in its own colours or textured, lit, on a disk before furniture.";
     type Params = TurnParams;
     type Input = TurnInput;
@@ -169,7 +169,6 @@ impl Stage for TakePhotos {
         });
         ctx.metric("photos", photos.len() as f64, "");
         let rig = Rig {
-            name: Some("synthetic".into()),
             step: step(cameras),
             focal_35mm: photos[0].focal_35mm,
             stature_mm: mesh.bounds().map(|b| b.1.z - cameras.ground_mm),

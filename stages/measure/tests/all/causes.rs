@@ -5,8 +5,8 @@ use crate::made;
 use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::{
-    BodyPart, Camera, Cameras, Girths, Intrinsics, LostParts, Mask, Masks, Mesh, Missing, PhotoId,
-    Photos, Pose, Refusal, Rig, Scale, View,
+    BodyPart, Camera, Cameras, Girths, Intrinsics, LostParts, Mask, Masks, Mesh, Missing, Person,
+    PhotoId, Photos, Pose, Refusal, Rig, Scale, View,
 };
 use stage::{Ctx, Host, Stage};
 use std::sync::{Arc, Mutex};
@@ -83,15 +83,15 @@ impl Host for Heard {
 }
 
 /// Girths of a surface with photos and facts; what was warned of.
-fn measured(mesh: &Mesh, masks: Masks, rig: Rig) -> (Girths, Vec<String>) {
-    with_lost(mesh, masks, rig, None)
+fn measured(mesh: &Mesh, masks: Masks, known: (Rig, Person)) -> (Girths, Vec<String>) {
+    with_lost(mesh, masks, known, None)
 }
 
 /// The same where masks are known to leave out parts of the body.
 fn with_lost(
     mesh: &Mesh,
     masks: Masks,
-    rig: Rig,
+    (rig, person): (Rig, Person),
     lost_parts: Option<LostParts>,
 ) -> (Girths, Vec<String>) {
     let mesh = Arc::new(mesh.clone());
@@ -115,7 +115,7 @@ fn with_lost(
         cameras,
         photos: Some(Arc::new(photos)),
         masks: Some(Arc::new(masks)),
-        person: None,
+        person: Some(Arc::new(person)),
         lost_parts: lost_parts.map(Arc::new),
     };
     let girths = Measure::run(&Default::default(), input, &ctx).unwrap();
@@ -157,7 +157,7 @@ fn a_refused_body_names_its_cause_once() {
         .positions
         .iter_mut()
         .for_each(|p| p[2] = p[2].max(850.0));
-    let none = Rig::default;
+    let none = <(Rig, Person)>::default;
 
     let mut one = whole.clone();
     halved(&mut one, Some(4));
@@ -189,10 +189,16 @@ fn a_refused_body_names_its_cause_once() {
     // All lack the lower half: only what is known of the body tells.
     let mut half = whole.clone();
     halved(&mut half, None);
-    let known = |stature_mm, weight_kg| Rig {
-        stature_mm,
-        weight_kg,
-        ..Rig::default()
+    let known = |stature_mm, weight_kg| {
+        let rig = Rig {
+            stature_mm,
+            ..Rig::default()
+        };
+        let person = Person {
+            weight_kg,
+            ..Person::default()
+        };
+        (rig, person)
     };
     let short = reported(measured(
         &upper,
@@ -225,14 +231,14 @@ fn legs_that_most_masks_leave_out_have_no_girths_and_those_of_one_mask_have() {
             ..LostParts::default()
         };
         parts.lost[BodyPart::Legs as usize] = (0..photos).map(PhotoId).collect();
-        with_lost(&body, whole.clone(), Rig::default(), Some(parts))
+        with_lost(&body, whole.clone(), Default::default(), Some(parts))
     };
     let names =
         |girths: &Girths| -> Vec<String> { girths.girths.iter().map(|g| g.name.clone()).collect() };
     let (one, _) = reported(1);
     assert_eq!(
         names(&one),
-        names(&measured(&body, whole.clone(), Rig::default()).0)
+        names(&measured(&body, whole.clone(), Default::default()).0)
     );
     let (most, warned) = reported(7);
     let left: Vec<String> = names(&one)

@@ -243,10 +243,13 @@ impl Host for Heard {
 fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
     let mesh = Arc::new(made::meshed(&made::built(1400.0, 1.0, 30.0), 12.0));
     let reported = |person: Person, day: Option<&str>| {
-        let rig = Rig {
-            stature_mm: Some(1400.0),
+        let person = Person {
             weight_kg: Some(35.0),
             date: day.map(str::to_owned),
+            ..person
+        };
+        let rig = Rig {
+            stature_mm: Some(1400.0),
             ..Rig::default()
         };
         let photos = Photos {
@@ -271,7 +274,7 @@ fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
     let born = |day: &str| Person {
         sex: Some(Sex::Female),
         born: Some(day.into()),
-        age_months: None,
+        ..Person::default()
     };
     let (child, warned) = reported(born("2016-05-01"), Some("2026-05-01"));
     let growth = child.growth.unwrap();

@@ -3,7 +3,7 @@
 use crate::made;
 
 use measure::{FindLandmarks, GirthInput, GirthParams, LandmarkInput, Measure};
-use shape::{Cameras, Girths, Length, Photos, Refusal, Rig, Scale, Unit};
+use shape::{Cameras, Girths, Length, Person, Photos, Refusal, Rig, Scale, Unit};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 
@@ -27,8 +27,11 @@ fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_
         };
         let rig = Rig {
             stature_mm: Some(stature_mm),
-            weight_kg: Some(70.0),
             ..Rig::default()
+        };
+        let person = Person {
+            weight_kg: Some(70.0),
+            ..Person::default()
         };
         let photos = Photos {
             rig,
@@ -40,7 +43,7 @@ fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_
             cameras: Some(Arc::new(cameras)),
             photos: Some(Arc::new(photos)),
             masks: None,
-            person: None,
+            person: Some(Arc::new(person)),
             lost_parts: None,
         };
         Measure::run(&GirthParams::default(), input, &Ctx::alone()).unwrap()
