@@ -117,7 +117,7 @@ fn a_source_is_a_year_a_fit_or_a_standard() {
 const DEFAULTS_BY_HAND: [(&str, usize); 7] = [
     ("capture", 1),
     ("hull", 1),
-    ("measure", 2),
+    ("measure", 1),
     ("pose", 43),
     ("refine", 38),
     ("silhouette", 19),

@@ -38,9 +38,11 @@ stage::params! {
         #[range(0.0..=10.0)]
         #[source(structural)]
         compression_pct: f64 = 0.0,
-        /// How far an interval may reach to either side of its tape, in % of it: a girth with a wider one is refused.
+        /// How far an interval may reach to either side of its tape, in % of it: a girth with a wider one is refused, as is one
+        /// whose interval is as wide as grown people of one sex differ.
         #[range(1.0..=100.0)]
-        widest_pct: f64 = 25.0,
+        #[source(structural)]
+        widest_pct: f64 = 100.0,
         /// Whether the surface is a hull that nothing made rounder: its tapes are too long by corners between outlines,
         /// which are taken off.
         hull: bool = false,
@@ -82,7 +84,7 @@ const REMESHED: f64 = 0.045;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 32;
+    const VERSION: u32 = 33;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;

@@ -124,9 +124,11 @@ impl Beside<'_> {
     }
 }
 
-/// Whether an interval reaches farther from its tape than a share of it, or to zero.
-pub(crate) fn too_wide(tape: f64, [low, high]: [f64; 2], widest: f64) -> bool {
-    !(low > 0.0 && tape - low <= widest * tape && high - tape <= widest * tape)
+/// Whether an interval is as wide as people differ, of whom so many are within `spread` of the middle one, or reaches farther
+/// from its tape than `widest`, both shares of the tape; or to zero.
+pub(crate) fn too_wide(tape: f64, [low, high]: [f64; 2], [widest, spread]: [f64; 2]) -> bool {
+    let near = |mm: f64| mm <= widest * tape;
+    !(low > 0.0 && near(tape - low) && near(high - tape) && high - low < 2.0 * spread * tape)
 }
 
 /// A tape and its standard deviation, by the mesh and by silhouettes, as one: weighted by their
@@ -167,10 +169,16 @@ mod tests {
 
     #[test]
     fn an_interval_that_tells_nothing_is_too_wide() {
-        assert!(!too_wide(1000.0, [750.0, 1250.0], 0.25));
-        for wide in [[749.0, 1100.0], [900.0, 1251.0], [f64::NAN, 1100.0]] {
-            assert!(too_wide(1000.0, wide, 0.25), "{wide:?}");
+        let limits = [0.25, 0.2];
+        assert!(!too_wide(1000.0, [750.0, 1149.0], limits));
+        for wide in [
+            [749.0, 1100.0],
+            [900.0, 1251.0],
+            [800.0, 1200.0],
+            [f64::NAN, 1100.0],
+        ] {
+            assert!(too_wide(1000.0, wide, limits), "{wide:?}");
         }
-        assert!(too_wide(0.0, [0.0, 0.0], 0.25));
+        assert!(too_wide(0.0, [0.0, 0.0], limits));
     }
 }
