@@ -326,6 +326,7 @@ fail-no-texture = no tags of the given mat were found, and no features that turn
 fail-no-video = there is no video here (mp4, mov, mkv, …)
 fail-not-installed = { $name } is not installed on this machine, and { $what } cannot be read without it: apt install { $package }
 fail-on-side = the photos are on their side: up from the disk runs to their left or right edge. Turn them by 90° in a viewer that saves them
+fail-people = { $why }
 fail-photos-one-by-one = these are photos of one folder, each of which would be a capture: hand over { $folder }
 fail-plate-moves = there is no photo of the empty scene, and only { $still } of the photos’ pixels do not move over the turn: did the camera move? Take a photo of the empty scene, with a fixed camera
 fail-several-videos = there are { $count } videos ({ $names }), and one turn is one of them: hand over one, such as { $first }

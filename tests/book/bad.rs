@@ -34,6 +34,14 @@ fn feet_that_all_photos_cut_off_stop() {
         "{printed}"
     );
     assert!(printed.contains("cameras  no, as it is"), "{printed}");
+    // `measure` agrees.
+    let out = run("tailor measure samples/bad/feet-cut-off");
+    let printed = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert_eq!(out.status.code(), Some(1), "{printed}");
+    assert!(
+        printed.contains("people failed") && printed.contains("no girth"),
+        "{printed}"
+    );
 }
 
 #[test]

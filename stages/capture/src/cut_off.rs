@@ -1,7 +1,7 @@
 //! Whether the photos cut off the feet.
 
 use crate::verdict::{Finding, Grade};
-use shape::{Edge, People, Photos};
+use shape::{People, Photos};
 use stage::message;
 
 stage::messages! {
@@ -11,15 +11,10 @@ stage::messages! {
 
 /// Feet that most photos cut off: nothing tells heights then, and no girth is given.
 pub(crate) fn cut_off(photos: &Photos, people: &People) -> Option<Finding> {
-    let cut = photos.iter().filter(|(id, photo)| {
-        let subject = people.subject(*id);
-        subject.is_some_and(|f| f.edges([photo.width, photo.height]).contains(&Edge::Lower))
-    });
-    let names: Vec<String> = cut.map(|(_, photo)| photo.name.clone()).collect();
-    (2 * names.len() > photos.photos.len()).then(|| Finding {
+    people.without_feet(photos).map(|photos| Finding {
         grade: Grade::Hopeless,
         what: message!(FEET),
         mend: message!(KEEP_FEET),
-        photos: names,
+        photos,
     })
 }

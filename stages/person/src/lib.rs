@@ -17,7 +17,7 @@ mod turn;
 
 pub use alarm::{Alarm, AlarmInput, AlarmParams};
 pub use body::Networks;
-pub use find::{FindPeople, FindPeopleInput, FindPeopleParams};
+pub use find::{FindPeople, FindPeopleInput, FindPeopleParams, PeopleError};
 pub use net::{Network, Tensor, Unreadable};
 pub use regions::{Disagreement, disagreement};
 
@@ -28,7 +28,15 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
 ];
 
 /// Every kind of message of this crate.
-pub const MESSAGES: &[&[stage::Template]] = &[alarm::MESSAGES, odd::MESSAGES];
+pub const MESSAGES: &[&[stage::Template]] = &[
+    alarm::MESSAGES,
+    find::MESSAGES,
+    odd::MESSAGES,
+    PeopleError::MESSAGES,
+];
 
 /// The errors that have codes.
-const CODED: &[stage::Recognise] = &[stage::recognise::<shape::PhotoError>];
+const CODED: &[stage::Recognise] = &[
+    stage::recognise::<PeopleError>,
+    stage::recognise::<shape::PhotoError>,
+];

@@ -1,6 +1,6 @@
 //! The edges of its photo that somebody's body comes to: there it may be cut off.
 
-use crate::Found;
+use crate::{Found, People, Photos};
 use nalgebra::Point2;
 
 /// So many of the network's pixels along an edge: its outline is right to one or two of them, so fewer may be chance.
@@ -47,5 +47,17 @@ impl Found {
         ];
         let reached = reaches.into_iter().filter(|(_, reached)| *reached);
         reached.map(|(edge, _)| edge).collect()
+    }
+}
+
+impl People {
+    /// The photos whose lower edge cuts off the feet of the one who is followed, if most do: then heights are unknown.
+    pub fn without_feet(&self, photos: &Photos) -> Option<Vec<String>> {
+        let cut = photos.iter().filter(|(id, photo)| {
+            let subject = self.subject(*id);
+            subject.is_some_and(|f| f.edges([photo.width, photo.height]).contains(&Edge::Lower))
+        });
+        let names: Vec<String> = cut.map(|(_, photo)| photo.name.clone()).collect();
+        (2 * names.len() > photos.photos.len()).then_some(names)
     }
 }

@@ -2,7 +2,7 @@
 
 use person::{FindPeople, FindPeopleInput, FindPeopleParams};
 use shape::{People, Photo, Photos, Rgb, rgb_to_png};
-use stage::{Ctx, Host, Stage};
+use stage::{Ctx, Host, Stage, Stop};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
@@ -32,6 +32,12 @@ fn sample(name: &str) -> Rgb {
 
 /// What the stage makes of photos, and its warnings.
 fn found(photos: Vec<Photo>) -> (People, Vec<String>) {
+    let (people, warned) = asked(photos, false);
+    (people.unwrap(), warned)
+}
+
+/// The same where those of whom nothing will come may be an error.
+fn asked(photos: Vec<Photo>, stop: bool) -> (Result<People, Stop>, Vec<String>) {
     #[derive(Default)]
     struct Heard(Mutex<Vec<String>>);
     impl Host for Heard {
@@ -46,7 +52,7 @@ fn found(photos: Vec<Photo>) -> (People, Vec<String>) {
         ..Photos::default()
     });
     let ctx = Ctx::new(&heard, nothing, nothing);
-    let people = FindPeople::run(&FindPeopleParams {}, FindPeopleInput { photos }, &ctx).unwrap();
+    let people = FindPeople::run(&FindPeopleParams { stop }, FindPeopleInput { photos }, &ctx);
     (people, heard.0.into_inner().unwrap())
 }
 
@@ -115,6 +121,34 @@ fn photos_without_with_two_cut_off_and_turned_people_are_named() {
     );
     assert!(says("upside down on over:").is_some(), "{reported:?}");
     assert_eq!(reported.len(), 5, "{reported:?}");
+}
+
+#[test]
+fn feet_that_most_photos_cut_off_stop_the_turn_if_asked() {
+    let turn = ["0000.jpg", "0006.jpg", "0012.jpg"].map(sample);
+    let lower = |of: &Rgb| moved(of, 800, 1200, |x, y| [x, y.saturating_sub(330)]);
+    let photos = |cut: usize| -> Vec<Photo> {
+        let one = |(i, of): (usize, &Rgb)| match i < cut {
+            true => photo(&format!("{i}.png"), &lower(of)),
+            false => photo(&format!("{i}.png"), of),
+        };
+        turn.iter().enumerate().map(one).collect()
+    };
+    assert!(
+        asked(photos(1), true).0.is_ok(),
+        "one of three is a warning"
+    );
+    let (people, warned) = asked(photos(2), true);
+    let why = people.expect_err("two of three have no feet").to_string();
+    for says in ["0.png, 1.png", "below the feet", "people.stop=false"] {
+        assert!(why.contains(says), "{why}");
+    }
+    assert!(warned.is_empty(), "reported once: {warned:?}");
+    let (people, warned) = asked(photos(2), false);
+    assert!(
+        people.is_ok() && warned[0].contains("0.png, 1.png"),
+        "{warned:?}"
+    );
 }
 
 #[test]
