@@ -499,7 +499,8 @@ warn-cut-through = ein großer Teil der Oberfläche ist eine Ebene: Ist der Kör
 warn-cut-upper = der Körper ist am oberen Rand von { $names } abgeschnitten: den ganzen Menschen ins Bild nehmen, mit Abstand über dem Kopf
 warn-degenerate = die Fotos bestimmen die Kameras nicht ganz, so dass ihrer Genauigkeit nicht zu trauen ist: eine Matte auf die Scheibe legen oder mehr Fotos aufnehmen
 warn-density = Gewicht / Volumen = { $density }, Körper haben aber 0,93 bis 1,1: Wenn dies keine Puppe ist, stimmt Maßstab, Gewicht oder Oberfläche nicht (ist der Körper abgeschnitten?); die Umrisse ansehen
-warn-disagree = { $first } und { $other } weichen um { $off } voneinander ab: { $first } gilt; beide Angaben prüfen
+warn-disagree = { $other } und { $first } weichen um { $off } voneinander ab: { $first } gilt; beide Angaben prüfen
+warn-disagree-cm = { $other } wurde mit { $given } angegeben, ist aber nach { $first } { $seen }: { $first } gilt; beide prüfen (eine Körpergröße ist ohne Schuhe)
 warn-disputed = { $other } wurde mit { $given } angegeben, ist aber nach { $first } { $seen }, und keine von beiden kann sich so weit irren: Längen sind relativ, ohne Zentimeter; eine von beiden berichtigen, die unsicherere weglassen, oder ansehen, ob den Umrissen Beine oder Kopf fehlen
 warn-disputed-layout = { $other } und { $first } widersprechen einander um { $off }, mehr als sich eine davon irren kann: Längen sind relativ, ohne Zentimeter; eine von beiden berichtigen oder die unsicherere weglassen
 warn-empty-photo = ein Foto zeigt niemanden: es weglassen oder seinen Umriss berichtigen

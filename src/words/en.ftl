@@ -371,7 +371,7 @@ warn-bottom = what is under the person is taken for part of it, down to { $heigh
 warn-capture-toml = in the facts of the capture: { $what }
 warn-contradicted = its outline leaves out body that all other photos show ({ $share } of it): look at this outline and correct it
 warn-density = weight / volume = { $density }, but bodies have 0.93 to 1.1: unless this is a dummy, scale, weight or surface is wrong (is the body cut off?); look at the outlines
-warn-disagree = { $first } and { $other } differ by { $off }: { $first } was taken; check what was given of both
+warn-disagree = { $other } and { $first } differ by { $off }: { $first } was taken; check what was given of both
 warn-disputed = { $other } was given as { $given }, but by { $first } it is { $seen }, and neither can err by so much: lengths are relative, without centimetres; correct one of the two, leave out the one that you are less sure of, or look whether the outlines lack legs or head
 warn-empty-photo = a photo shows no subject: leave it out, or correct its outline
 warn-empty-photos = next to no subject is seen on { $names }: leave such photos out, or correct their outlines

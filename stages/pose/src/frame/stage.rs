@@ -7,13 +7,14 @@ use crate::frame::lengths::{Measure, Seen, by_tags, floor, measures};
 use crate::frame::stature::{Stature, stature};
 use nalgebra::{Point3, Rotation3};
 use shape::{CONTRADICTION, Cameras, Length, Masks, Photos, Scale, Tags};
-use stage::{Ctx, Message, Stage, Stop, Template, message};
+use stage::{Ctx, Field, Message, Stage, Stop, Template, message};
 use std::sync::Arc;
 
 stage::messages! {
     NO_EDGE = "warn-no-edge": "neither the disk's edge nor soles were seen: the ground is put at the lowest feature, so heights and stature may be off; keep feet and disk in view";
     NO_LENGTH = "warn-relative": "no length is known (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm";
-    DISAGREE = "warn-disagree": "{first} and {other} disagree by {off:.1 %}: {first} was taken; check both in capture.toml";
+    DISAGREE = "warn-disagree": "{other} and {first} disagree by {off:.1 %}: {first} was taken; check both in capture.toml";
+    DISAGREE_CM = "warn-disagree-cm": "{other} was given as {given:.1 cm}, but by {first} it is {seen:.1 cm}: {first} was taken; check both (a stature is without shoes)";
     CONTRADICT = "warn-disputed-layout": "{other} and {first} contradict each other by {off:.0 %}, more than either can err: lengths are relative, without centimetres; correct one of the two, or leave out the one that you are less sure of";
     CONTRADICT_CM = "warn-disputed": "{other} was given as {given:.1 cm}, but by {first} it is {seen:.1 cm}, and neither can err by so much: lengths are relative, without centimetres; correct one of the two, leave out the one that you are less sure of, or look whether the masks lack legs or head";
 }
@@ -27,7 +28,7 @@ stage::params! {
         /// circles.
         #[range(1.0..=100.0)]
         least_standout: f64 = 4.0,
-        /// Two lengths that disagree by more than this share are reported.
+        /// Two lengths do not contradict each other, however sure they are, if they disagree by no more than this share.
         #[range(0.001..=0.5)]
         disagreement: f64 = 0.02,
         /// Without a mat: two lengths that disagree by more than this share are no scale.
@@ -78,7 +79,7 @@ stage::failures! {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 12;
+    const VERSION: u32 = 13;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -202,36 +203,29 @@ fn compare(
             off: off * 100.0,
         });
     }
-    let far = |errs: f64| off.abs() > p.disagreement.max(CONTRADICTION * errs);
-    if far(libm::hypot(first.errs(), other.errs())) {
-        ctx.warn(disputed(first, other, off));
-        return Ok(true);
+    let far = |errs: f64| off.abs() > CONTRADICTION * errs;
+    let errs = libm::hypot(first.errs(), other.errs());
+    let disputed = off.abs() > p.disagreement && far(errs);
+    if disputed {
+        ctx.warn(apart(first, other, off, [CONTRADICT, CONTRADICT_CM]));
+    } else if far(both(first.sigma, other.sigma)) {
+        // Farther than what is seen can err; by what people err who give it, it may still be right.
+        ctx.warn(apart(first, other, off, [DISAGREE, DISAGREE_CM]));
     }
-    if far(both(first.sigma, other.sigma)) {
-        ctx.warn(message!(
-            DISAGREE,
-            first = Message::new(&first.what, []),
-            other = Message::new(&other.what, []),
-            off = off * 100.0
-        ));
-    }
-    Ok(false)
+    Ok(disputed)
 }
 
-/// The warning on two lengths that cannot both be right.
-fn disputed(first: &Measure, other: &Measure, off: f64) -> Message {
-    let [by, what] = [first.what, other.what].map(|what| Message::new(&what, []));
+/// The warning on two lengths that disagree: by how much, or what was given and what is seen of it.
+fn apart(first: &Measure, other: &Measure, off: f64, [share, cm]: [Template; 2]) -> Message {
+    let [by, what] = [first, other].map(|m| Field::from(Message::new(&m.what, [])));
+    let (by, what) = (("first", by), ("other", what));
     let Some(mm) = other.given else {
-        let percent = 100.0 * off.abs();
-        return message!(CONTRADICT, other = what, first = by, off = percent);
+        return Message::new(&share, [by, what, ("off", (100.0 * off.abs()).into())]);
     };
     let (given, seen) = (mm / 10.0, mm / 10.0 / (1.0 + off));
-    message!(
-        CONTRADICT_CM,
-        other = what,
-        given = given,
-        first = by,
-        seen = seen
+    Message::new(
+        &cm,
+        [by, what, ("given", given.into()), ("seen", seen.into())],
     )
 }
 

@@ -5,8 +5,8 @@ use pose::{Frame, FrameInput, FrameParams, Ring};
 use shape::{
     Camera, Cameras, Intrinsics, Mask, Masks, Photo, PhotoId, Photos, Rig, Scale, Tags, View,
 };
-use stage::{Ctx, Stage, Stop};
-use std::sync::Arc;
+use stage::{Ctx, Host, Stage, Stop};
+use std::sync::{Arc, Mutex};
 
 /// A turn in units of 2 mm, about an upright post 800 units tall.
 pub(crate) fn turn() -> Vec<Camera> {
@@ -81,6 +81,26 @@ pub(crate) fn framed_from(
     tags: Option<Tags>,
     plate: Option<Photo>,
 ) -> Result<Cameras, String> {
+    framed_and_warned(scale, rig, tags, plate).0
+}
+
+/// What is warned of.
+#[derive(Default)]
+struct Heard(Mutex<Vec<String>>);
+
+impl Host for Heard {
+    fn warn(&self, text: &stage::Message) {
+        self.0.lock().unwrap().push(text.to_string());
+    }
+}
+
+/// The same, and what is warned of.
+pub(crate) fn framed_and_warned(
+    scale: Scale,
+    rig: Rig,
+    tags: Option<Tags>,
+    plate: Option<Photo>,
+) -> (Result<Cameras, String>, Vec<String>) {
     let cameras = turn();
     let black = shape::Image::filled(320, 480, 0);
     let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
@@ -120,8 +140,11 @@ pub(crate) fn framed_from(
         search_px: 200,
         ..FrameParams::default()
     };
-    Frame::run(&params, input, &Ctx::alone()).map_err(|e| match e {
+    let (heard, nothing) = (Heard::default(), stage::hash(b""));
+    let framed = Frame::run(&params, input, &Ctx::new(&heard, nothing, nothing));
+    let framed = framed.map_err(|e| match e {
         Stop::Failed(why) => why.to_string(),
         Stop::Cancelled => "cancelled".into(),
-    })
+    });
+    (framed, heard.0.into_inner().unwrap())
 }
