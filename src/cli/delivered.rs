@@ -82,9 +82,10 @@ fn of_somebody(out: &Path) -> Option<String> {
     let entries = std::fs::read_dir(out).into_iter().flatten().flatten();
     let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
     let ours = WRITTEN.map(|(_, file, _)| file);
-    let capture = ["images", "capture.toml", "report.html"];
+    // An OBJ writes files of its own names.
+    let more = ["images", "capture.toml", "report.html", "body.obj", "body.mtl"];
     let mut theirs: Vec<String> = names
-        .filter(|n| is_photo(n) || capture.contains(&n.as_str()) || ours.contains(&n.as_str()))
+        .filter(|n| is_photo(n) || more.contains(&n.as_str()) || ours.contains(&n.as_str()))
         .collect();
     theirs.sort();
     theirs.into_iter().next()

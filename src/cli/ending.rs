@@ -1,5 +1,6 @@
 //! The end of `tailor run`: the same screen as that of `tailor measure`, where girths were made.
 
+use super::columns::wide;
 use super::provenance::{called, folder, warnings};
 use super::screen::{Of, screen, warned};
 use crate::words::language::{Language, Words};
@@ -29,6 +30,6 @@ pub(crate) fn ending(ran: &Ran<'_>) -> Option<String> {
         cameras: cameras.as_deref(),
         girths: &girths,
     };
-    let reported = screen(ENGLISH, &of);
-    Some(reported + &warned(ENGLISH, &warnings(ran, Some(&girths))))
+    let reported = screen(ENGLISH, &of, wide());
+    Some(reported + &warned(ENGLISH, &warnings(ran, Some(&girths)), wide()))
 }

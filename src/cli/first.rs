@@ -1,10 +1,11 @@
 //! A first answer while the whole is on its way: waist and hip from the hull of reduced photos, before anything else is
 //! made of them. They are shown on the screen and written as `report.html`, which the whole report replaces.
 
+use super::columns::{broken, wide_err};
 use super::measure_args::Measure;
 use super::prepared::Prepared;
 use super::provenance::{completed_as, get};
-use super::screen::{broken, in_short};
+use super::screen::in_short;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::words::language::Words;
@@ -104,6 +105,11 @@ impl First {
         Some(hears)
     }
 
+    /// Whether one is under way or there.
+    pub(super) fn begun(&self) -> bool {
+        self.thread.lock().expect("bug: poisoned").is_some()
+    }
+
     /// Waits for a first answer that is under way. Where the whole did not come, one that is under way is stopped,
     /// and a page that was written names it.
     pub(super) fn end(&self, whole: bool) {
@@ -156,7 +162,7 @@ impl Answer {
         };
         if let Some(girths) = get::<Girths>(graph, &outcome, "girths") {
             let put = [("girths", in_short(self.words, &girths).into())];
-            let reported = broken(&self.words.with("screen-first", &put), 2);
+            let reported = broken(&self.words.with("screen-first", &put), 2, wide_err());
             above(|| command::errln!("{}", reported.trim_end()));
         }
         // Nobody waits where all is to stop.

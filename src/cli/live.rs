@@ -1,15 +1,16 @@
 //! What `tailor measure` prints while it runs: what it found, then the part that is on its way; warnings wait
 //! for the end.
 
+use super::columns::{broken, wide_err};
+use super::first::First;
 use super::folder::{Looked, MASKS};
-use super::screen::broken;
 use super::source::Source;
 use crate::words::language::Words;
 use crate::words::parts::{PARTS, place_of};
 use command::Telling;
 use engine::walk::{Done, Status};
 use stage::Message;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 /// The nodes that read what is measured: photos, or a scan.
 const READERS: [&str; 2] = ["photos", "body"];
@@ -24,12 +25,19 @@ pub(super) struct Live {
     masks: bool,
     /// Whether there is a mat, and how many tags it has.
     mat: Option<Option<u64>>,
+    /// Who makes a first answer on the way: what that made is found.
+    first: Option<Arc<First>>,
     warnings: Mutex<Vec<Message>>,
 }
 
 impl Live {
     /// Of a capture called so, that was looked at.
-    pub(super) fn new(words: Words, name: &str, looked: &Looked) -> Live {
+    pub(super) fn new(
+        words: Words,
+        name: &str,
+        looked: &Looked,
+        first: Option<Arc<First>>,
+    ) -> Live {
         let mat = |text: &str| text.parse().ok();
         Live {
             words,
@@ -38,6 +46,7 @@ impl Live {
             plate: looked.plate_there,
             masks: looked.source.folder().join(MASKS).is_dir(),
             mat: looked.mat.as_deref().map(mat),
+            first,
             warnings: Mutex::default(),
         }
     }
@@ -71,7 +80,11 @@ impl Live {
             Some(count) => words.with("screen-mat", &[("count", count.into())]),
             None => words.text("screen-mat-some"),
         }));
-        let found = broken(&format!("{}: {}", self.name, facts.join(", ")), 2);
+        let found = broken(
+            &format!("{}: {}", self.name, facts.join(", ")),
+            2,
+            wide_err(),
+        );
         Some(found.trim_end().to_owned())
     }
 
@@ -99,7 +112,8 @@ impl Telling for Live {
     }
 
     fn over(&self, step: usize, found: bool) -> String {
-        let how = if found { "cached" } else { "over" };
+        let first = self.first.as_ref().is_some_and(|first| first.begun());
+        let how = if found && !first { "cached" } else { "over" };
         let put = [("step", self.part(step).into())];
         self.words.with(&format!("screen-{how}"), &put)
     }

@@ -1,5 +1,6 @@
 //! One capture: its pipeline, its run, its folder of results.
 
+use super::columns::{wide, wide_err};
 use super::delivered::{place_of_results, written};
 use super::first::First;
 use super::folder::{self, Looked};
@@ -165,7 +166,7 @@ fn unended(measure: &Measure, ready: &Prepared, live: &Live, global: &GlobalArgs
         return;
     }
     let all = [ready.warnings.clone(), live.warnings()].concat();
-    let text = warned(measure.words(), &as_read(all));
+    let text = warned(measure.words(), &as_read(all), wide_err());
     if !text.is_empty() {
         command::errln!("{}", text.trim_end());
     }
@@ -194,7 +195,12 @@ pub(super) fn one(
     if let Some(first) = &first {
         global.host.beside = Some(first.clone());
     }
-    let live = Arc::new(Live::new(measure.words(), &ready.shown, &looked));
+    let live = Arc::new(Live::new(
+        measure.words(),
+        &ready.shown,
+        &looked,
+        first.clone(),
+    ));
     if !measure.verbose {
         global.host.telling = Some(live.clone());
     }
@@ -216,7 +222,11 @@ pub(super) fn one(
         let mut reported = ready.warnings.clone();
         reported.extend(sentences(&Ran::of(graph, &outcome, &[]), &girths));
         let words = measure.words();
-        command::out!("{}{}", screen(words, &of), warned(words, &reported));
+        command::out!(
+            "{}{}",
+            screen(words, &of, wide()),
+            warned(words, &reported, wide())
+        );
         let shown = |path: &Path| path.display().to_string();
         let place = |key, path: &Path| words.with(key, &[("path", shown(path).into())]);
         command::outln!("\n{}", place("screen-files", &ready.out));

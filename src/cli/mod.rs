@@ -1,6 +1,7 @@
 //! The product's command line: what it adds to the engine's verbs.
 
 pub(crate) mod cohort;
+mod columns;
 pub(crate) mod compare;
 mod compare_replicates;
 pub(crate) mod delivered;

@@ -1,12 +1,13 @@
 //! The last screen of `tailor measure`: what was measured, what was not, and where it is.
 
+use super::columns::broken;
 use crate::words::language::{Language, Words};
 use crate::words::messages::{in_words, read};
 use shape::{Cameras, Girth, Girths, Scale, Score, Unit, by_reason, girth_names};
 use stage::Message;
 
-/// Lines are broken before this column: a terminal's as it comes, and what a page of text takes.
-const WIDTH: usize = 80;
+/// The columns of a row of girths after its name: tape, interval and contour (structural).
+const NUMBERS: usize = 36;
 
 /// Of what the screen is.
 pub(crate) struct Of<'a> {
@@ -29,14 +30,72 @@ fn length(words: Words, girths: &Girths) -> impl Fn(f64) -> String {
     }
 }
 
-/// The screen.
-pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
+/// Names as they fit into a column: those of files are left out where all would not fit.
+struct Names {
+    words: Words,
+    /// How wide the column is.
+    wide: usize,
+    /// Whether those of files are beside those of people.
+    of_files: bool,
+}
+
+impl Names {
+    /// Of what is shown, beside numbers.
+    fn fitting(words: Words, girths: &Girths, columns: usize) -> Names {
+        let named = |of_files: bool| {
+            let mut names = Names {
+                words,
+                wide: 24,
+                of_files,
+            };
+            let all = girths.girths.iter().map(|g| names.of(g));
+            let all = all.chain(girths.ratios.iter().map(|r| names.ratio(&r.0)));
+            let widest = all.map(|name| name.chars().count()).max();
+            names.wide = names.wide.max(widest.unwrap_or(0));
+            names
+        };
+        let whole = named(true);
+        match whole.wide + NUMBERS <= columns {
+            true => whole,
+            false => named(false),
+        }
+    }
+
+    /// A girth as people call it, with its name in files.
+    fn of(&self, girth: &Girth) -> String {
+        let label = match self.words.language {
+            Language::En => girth.label.clone(),
+            Language::De => self.words.girth(&girth.name, &girth.label),
+        };
+        match (label.is_empty(), self.of_files) {
+            (true, _) => girth.name.clone(),
+            (_, true) => format!("{label} ({})", girth.name),
+            (_, false) => label,
+        }
+    }
+
+    /// A ratio as people call it, with its name in files.
+    fn ratio(&self, name: &str) -> String {
+        let text = self.words.girth(name, name);
+        match (text == name, self.of_files) {
+            (true, _) => text,
+            (_, true) => format!("{} ({name})", lower(self.words, text)),
+            (_, false) => lower(self.words, text),
+        }
+    }
+}
+
+/// The screen, so many columns wide.
+pub(crate) fn screen(words: Words, of: &Of<'_>, columns: usize) -> String {
     let girths = of.girths;
-    let mut text = of.cameras.map_or(String::new(), |c| first(words, of, c));
-    let wide = girths.girths.iter().map(|g| called(words, g));
-    let wide = wide.chain(girths.ratios.iter().map(|(name, ..)| ratio(words, name)));
-    let wide = wide.map(|name| name.chars().count()).fold(24, usize::max);
-    text += &table(words, girths, wide);
+    let broken = |line: &str, indent| broken(line, indent, columns);
+    let head = of.cameras.map(|c| first(words, of, c));
+    let mut text = head.map_or(String::new(), |[seen, origin]| {
+        broken(&seen, 2) + &broken(&origin, 2) + "\n"
+    });
+    let names = Names::fitting(words, girths, columns);
+    let wide = names.wide;
+    text += &table(&names, girths, columns);
     if let Some(mm) = girths.stature_mm {
         let name = lower(words, words.text("girth-stature"));
         text += &format!("{name:<wide$} {:>8}\n", length(words, girths)(mm));
@@ -47,7 +106,7 @@ pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
         text += &broken(&words.with("screen-shortened", &put), 2);
     }
     for (name, value, note) in &girths.ratios {
-        let name = ratio(words, name);
+        let name = names.ratio(name);
         let value = words.number(*value, 3);
         let note = reported(words, note);
         let line = format!("{name:<wide$} {value:>8}  {note}");
@@ -71,18 +130,25 @@ pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
 }
 
 /// How many photos have a camera, and where lengths come from.
-fn first(words: Words, of: &Of<'_>, cameras: &Cameras) -> String {
+fn first(words: Words, of: &Of<'_>, cameras: &Cameras) -> [String; 2] {
     let put = [
         ("name", of.name.into()),
         ("with", cameras.views.len().into()),
         ("of", of.photos.into()),
     ];
-    let seen = broken(&words.with("screen-cameras", &put), 2);
-    seen + &broken(&origin(words, cameras), 2) + "\n"
+    [words.with("screen-cameras", &put), origin(words, cameras)]
 }
 
-/// The girths, a row each.
-fn table(words: Words, girths: &Girths, wide: usize) -> String {
+/// The girths, a row each; without contours where these do not fit.
+fn table(names: &Names, girths: &Girths, columns: usize) -> String {
+    let (words, wide) = (names.words, names.wide);
+    let whole = wide + NUMBERS <= columns;
+    let row = |cells: [&str; 4]| {
+        let [name, tape, interval, contour] = cells;
+        let contour = if whole { contour } else { "" };
+        let line = format!("{name:<wide$} {tape:>8}  {interval:<16} {contour:>8}");
+        line.trim_end().to_owned() + "\n"
+    };
     if girths.girths.is_empty() {
         return String::new();
     }
@@ -92,7 +158,7 @@ fn table(words: Words, girths: &Girths, wide: usize) -> String {
     };
     let [girth, interval, contour] =
         ["girth", "interval", "contour"].map(|key| words.text(&format!("screen-{key}")));
-    let mut text = format!("{girth:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
+    let mut text = row([&girth, &tape, &interval, &contour]);
     let length = length(words, girths);
     for g in &girths.girths {
         let interval = match g.interval_mm {
@@ -105,9 +171,8 @@ fn table(words: Words, girths: &Girths, wide: usize) -> String {
                 words.with("screen-unknown", &[("parts", parts.into())])
             }
         };
-        let name = called(words, g);
         let (tape, contour) = (length(g.tape_mm), length(g.contour_mm));
-        text += &format!("{name:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
+        text += &row([&names.of(g), &tape, &interval, &contour]);
     }
     text
 }
@@ -142,24 +207,16 @@ pub(crate) fn in_short(words: Words, girths: &Girths) -> String {
 }
 
 /// What was warned of on the way, once more and counted.
-pub(crate) fn warned(words: Words, warnings: &[Message]) -> String {
+pub(crate) fn warned(words: Words, warnings: &[Message], columns: usize) -> String {
     if warnings.is_empty() {
         return String::new();
     }
     let count = words.with("screen-warnings", &[("count", warnings.len().into())]);
     let mut text = format!("\n{count}\n");
     for warning in warnings {
-        text += &broken(&format!("  {}", reported(words, warning)), 4);
+        text += &broken(&format!("  {}", reported(words, warning)), 4, columns);
     }
     text
-}
-
-/// A ratio as people call it, with its name in files.
-fn ratio(words: Words, name: &str) -> String {
-    match words.girth(name, name) {
-        text if text == *name => text,
-        text => format!("{} ({name})", lower(words, text)),
-    }
 }
 
 /// A message of a stage. The English texts of pages speak of their fields where stages speak of flags.
@@ -167,18 +224,6 @@ fn reported(words: Words, message: &Message) -> String {
     match words.language {
         Language::En => message.to_string(),
         Language::De => in_words(words, message),
-    }
-}
-
-/// A girth as people call it, with its name in files.
-fn called(words: Words, girth: &Girth) -> String {
-    let label = match words.language {
-        Language::En => girth.label.clone(),
-        Language::De => words.girth(&girth.name, &girth.label),
-    };
-    match label.is_empty() {
-        true => girth.name.clone(),
-        false => format!("{label} ({})", girth.name),
     }
 }
 
@@ -211,24 +256,6 @@ fn origin(words: Words, cameras: &Cameras) -> String {
         }
         None => words.with("screen-lengths-unsure", &[("from", from.into())]),
     }
-}
-
-/// The line in pieces, the later ones set in.
-pub(super) fn broken(line: &str, indent: usize) -> String {
-    let (mut text, mut column) = (String::new(), 0);
-    let lead = line.len() - line.trim_start().len();
-    text += &line[..lead];
-    for word in line[lead..].split_inclusive(' ') {
-        let long = word.trim_end().chars().count();
-        if column > 0 && lead + column + long > WIDTH {
-            text.truncate(text.trim_end().len());
-            text += &format!("\n{:indent$}", "");
-            column = indent - lead;
-        }
-        text += word;
-        column += word.chars().count();
-    }
-    text + "\n"
 }
 
 /// A child beside the growth reference: a line a number.

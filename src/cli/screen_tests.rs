@@ -1,6 +1,7 @@
 //! Lines fit, and have each thing once.
 
 use super::*;
+use crate::cli::columns::WIDTH;
 use shape::{GirthId, Length, Refusal};
 
 const EN: Words = Words {
@@ -18,13 +19,14 @@ fn shown(cameras: Option<&Cameras>, girths: &Girths) -> String {
             cameras,
             girths,
         },
+        WIDTH,
     )
 }
 
 #[test]
 fn long_lines_are_broken_between_words_and_lose_none() {
     let why = "arms and trunk are one on the surface there ".repeat(5);
-    let text = broken(&format!("  CC     {why}"), 9);
+    let text = broken(&format!("  CC     {why}"), 9, WIDTH);
     assert!(text.lines().count() > 2 && text.lines().all(|l| l.chars().count() <= WIDTH));
     assert!(
         text.lines()
@@ -80,4 +82,39 @@ fn what_has_no_scale_is_marked() {
     );
     cameras.scale_sigma = Some(0.0012);
     assert!(shown(Some(&cameras), &Girths::default()).contains("(± 0.12 %)"));
+}
+
+#[test]
+fn on_a_narrow_terminal_contours_and_names_of_files_make_way_and_every_line_fits() {
+    let plane = shape::Plane {
+        point_mm: [0.0; 3],
+        normal: [0.0, 0.0, 1.0],
+    };
+    let girth = |id| {
+        let mark = shape::Landmark::new(id, plane, shape::Part::Trunk);
+        Girth {
+            interval_mm: Some([800.0, 1000.0]),
+            ..Girth::at(&mark, 900.0)
+        }
+    };
+    let note = Message::from("experimental; includes air in the lungs".to_owned());
+    let girths = Girths {
+        girths: vec![girth(GirthId::WaistHipBone)],
+        ratios: vec![("density_kg_l".into(), 0.968, note)],
+        ..Girths::default()
+    };
+    let of = Of {
+        name: "a",
+        photos: 3,
+        cameras: None,
+        girths: &girths,
+    };
+    for (columns, names, contours) in [(80, true, true), (60, false, true), (55, false, false)] {
+        let text = screen(EN, &of, columns);
+        let fits = text.lines().all(|l| l.chars().count() <= columns);
+        assert!(fits, "{columns}: {text}");
+        assert!(text.contains("80.0 to 100.0"), "{text}");
+        let shown = ["(WC_hip_bone)", "contour"].map(|part| text.contains(part));
+        assert_eq!(shown, [names, contours], "{columns}: {text}");
+    }
 }

@@ -263,9 +263,11 @@ fn what_is_somebody_elses_is_not_replaced_nor_taken_for_results() {
     place.photos("another", 12);
     place.write("mine/report.html", "my own");
     place.write("words/notes.txt", "beside");
+    place.write("model/body.mtl", "my own");
     for (out, file) in [
         ("another", "another/0000.jpg"),
         ("mine", "mine/report.html"),
+        ("model", "model/body.mtl"),
     ] {
         let printed = place
             .run(&format!("measure turn --fast --out {out}"))

@@ -137,6 +137,14 @@ fn on_a_terminal(place: &Place) {
             "girth ",
         ],
     );
+    // A narrow one has shorter lines.
+    let narrow = place.bash(&format!("script -qec 'stty cols 60; {line}' /dev/null"));
+    let narrow = narrow.code(0).out;
+    let plain = narrow.lines().filter(|l| !l.contains('\u{1b}'));
+    let plain: Vec<&str> = plain.map(str::trim_end).collect();
+    assert!(plain.iter().any(|l| l.starts_with("girth ")), "{narrow:?}");
+    let wide: Vec<_> = plain.iter().filter(|l| l.chars().count() > 60).collect();
+    assert!(wide.is_empty(), "{wide:#?}");
 }
 
 #[test]
