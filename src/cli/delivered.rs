@@ -8,8 +8,13 @@ use crate::graph::{Graph, Source};
 use command::{Fault, Ran, inside, lies_in, there, whose};
 use engine::out;
 use shape::{Document, Girths, Mesh};
-use stage::{AnyArtifact, Artifact};
+use stage::{AnyArtifact, Artifact, message};
 use std::path::{Path, PathBuf};
+
+stage::messages! {
+    OF_SOMEBODY = "fail-out-of-somebody": "{file} was not written by tailor: nothing was written; give an empty folder with --out";
+    OF_ANOTHER = "fail-out-of-another": "{out} holds something else than the results of {capture}: nothing was written; give another folder with --out (--out {out} writes there all the same)";
+}
 
 /// The surface that was measured, whatever its node is called.
 const BODY: &str = "body";
@@ -41,10 +46,8 @@ pub(super) fn place_of_results(
     let out = match out {
         Some(out) => {
             if let Some(file) = of_somebody(out) {
-                return Err(Fault::input(format!(
-                    "{} was not written by tailor: nothing was written; give an empty folder with --out",
-                    out.join(file).display()
-                )));
+                let file = out.join(file).display().to_string();
+                return Err(Fault::coded(&message!(OF_SOMEBODY, file = file)));
             }
             out.to_owned()
         }
@@ -56,13 +59,10 @@ pub(super) fn place_of_results(
             }
             let own = whose(&[("photos".to_owned(), capture.to_owned())]);
             if delivery::is_of_another(&out, &own) {
-                return Err(Fault::input(format!(
-                    "{} holds something else than the results of {}: nothing was written; \
-                     give another folder with --out (--out {} writes there all the same)",
-                    out.display(),
-                    capture.display(),
-                    out.display()
-                )));
+                let [out, capture] =
+                    [out.as_path(), capture].map(|path| path.display().to_string());
+                let why = message!(OF_ANOTHER, out = out, capture = capture);
+                return Err(Fault::coded(&why));
             }
             out
         }
@@ -83,7 +83,13 @@ fn of_somebody(out: &Path) -> Option<String> {
     let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
     let ours = WRITTEN.map(|(_, file, _)| file);
     // An OBJ writes files of its own names.
-    let more = ["images", "capture.toml", "report.html", "body.obj", "body.mtl"];
+    let more = [
+        "images",
+        "capture.toml",
+        "report.html",
+        "body.obj",
+        "body.mtl",
+    ];
     let mut theirs: Vec<String> = names
         .filter(|n| is_photo(n) || more.contains(&n.as_str()) || ours.contains(&n.as_str()))
         .collect();

@@ -13,6 +13,7 @@ use std::path::Path;
 
 stage::messages! {
     TOO_FEW = "fail-few-no-mat": "{folder} has {count} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then give --mat), or give the step between them, such as --step 20";
+    UNREADABLE = "fail-folder": "{folder}: {why}; give a folder that is there and readable";
     NO_PHOTOS = "fail-no-photos": "there are no photos in {folder} (JPEG, PNG or TIFF): copy those of the turn there, or give --recursive where they are in folders below";
     NOT_READ = "warn-not-read": "{files}: not read; if they belong to the turn: ({way})";
 }
@@ -70,12 +71,12 @@ pub(super) fn look(
             few: None,
         });
     }
-    let shown = capture.display();
+    let shown = capture.display().to_string();
     let mut names = Vec::new();
-    list(capture, "", &["images"], recursive, &mut names).map_err(|e| {
-        Fault::input(format!(
-            "{shown}: {e}; give a folder that is there and readable"
-        ))
+    let listed = list(capture, "", &["images"], recursive, &mut names);
+    listed.map_err(|why| {
+        let why = why.to_string();
+        Fault::coded(&message!(UNREADABLE, folder = &shown, why = why))
     })?;
     let text = std::fs::read_to_string(capture.join("capture.toml")).unwrap_or_default();
     // The stage that reads it reports what is wrong with it.
@@ -107,10 +108,7 @@ pub(super) fn look(
         .warnings
         .extend(unread(capture, &names, photos.is_empty())?);
     if photos.is_empty() && looked.patterns.is_empty() {
-        return Err(Fault::coded(&message!(
-            NO_PHOTOS,
-            folder = shown.to_string()
-        )));
+        return Err(Fault::coded(&message!(NO_PHOTOS, folder = shown)));
     }
     if recursive && looked.patterns.is_empty() {
         looked.patterns = below(&photos);

@@ -1,21 +1,24 @@
 //! The marker mat that a file of `tailor mat` describes: the print itself, or the TOML beside it.
 
 use command::Fault;
+use stage::message;
 use std::path::Path;
+
+stage::messages! {
+    UNREADABLE = "fail-mat-unreadable": "--mat {file}: {why}";
+    NO_MAT = "fail-mat-file": "--mat {file}: it describes no mat; give the file that `tailor mat` wrote (.pdf, .svg or .toml), or give --mat-tag with the edge length of a printed tag's black square";
+}
 
 /// Tables of capture.toml that such a file may hold.
 const TABLES: [&str; 3] = ["mat", "rim", "disk"];
 
 /// Keys of capture.toml with their values. A PDF has them attached, an SVG as a comment.
 pub(super) fn mat_file(file: &Path) -> Result<Vec<(String, toml::Value)>, Fault> {
-    let shown = file.display();
-    let bytes = std::fs::read(file).map_err(|e| Fault::input(format!("--mat {shown}: {e}")))?;
-    let nothing = || {
-        Fault::input(format!(
-            "--mat {shown}: it describes no mat; give the file that `tailor mat` wrote (.pdf, .svg or .toml), \
-             or give --mat-tag with the edge length of a printed tag's black square"
-        ))
-    };
+    let shown = file.display().to_string();
+    let unreadable =
+        |why: std::io::Error| message!(UNREADABLE, file = &shown, why = why.to_string());
+    let bytes = std::fs::read(file).map_err(|why| Fault::coded(&unreadable(why)))?;
+    let nothing = || Fault::coded(&message!(NO_MAT, file = &shown));
     let table = text(&bytes).and_then(|toml| toml.parse::<toml::Table>().ok());
     let table = table
         .filter(|t| t.contains_key("mat"))

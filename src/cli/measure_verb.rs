@@ -9,6 +9,8 @@ use super::stated::Stated;
 use crate::catalog::is_photo;
 use crate::delivery::Delivery;
 use crate::store::Store;
+use crate::words::language::Language;
+use crate::words::messages::in_words;
 use command::{Fault, GlobalArgs, whose};
 use serde_json::{Value, json};
 use stage::message;
@@ -18,8 +20,21 @@ stage::messages! {
     FILES = "fail-photos-one-by-one": "these are photos of one folder, each of which would be a capture: tailor measure {folder}";
 }
 
-/// `tailor measure`: each folder on its own; one that fails does not stop the rest.
+/// `tailor measure`: each folder on its own; one that fails does not stop the rest. Faults are in the reader's language.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
+    all(measure, global).map_err(|fault| read(measure, fault))
+}
+
+/// A fault in the reader's language, as far as it has codes.
+fn read(measure: &Measure, fault: Fault) -> Fault {
+    let words = measure.words();
+    match words.language {
+        Language::En => fault,
+        Language::De => fault.in_words(|why| in_words(words, why), &words.text("screen-again")),
+    }
+}
+
+fn all(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let stated = measure.facts.stated()?;
     if measure.profile.is_some() && measure.folders.len() > 1 {
         return Err(Fault::input("--profile is of one run: give one folder"));
@@ -85,6 +100,7 @@ fn many(measure: &Measure, stated: &[Stated], global: &GlobalArgs) -> Result<(),
             // The user asked to stop.
             Err(fault) if fault.code() == 130 => return Err(fault),
             Err(fault) => {
+                let fault = read(measure, fault);
                 if !global.json {
                     command::errln!("{shown}: {}", fault.text());
                 }

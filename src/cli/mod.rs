@@ -34,9 +34,12 @@ pub use measuring::{Measured, measured};
 
 /// Every kind of message of these files.
 #[cfg_attr(not(feature = "serve"), allow(dead_code))]
-pub(crate) const MESSAGES: [&[stage::Template]; 4] = [
+pub(crate) const MESSAGES: [&[stage::Template]; 7] = [
+    delivered::MESSAGES,
     doctor::MESSAGES,
     folder::MESSAGES,
+    mat_file::MESSAGES,
     measure_verb::MESSAGES,
+    numbers::MESSAGES,
     source::MESSAGES,
 ];

@@ -5,7 +5,14 @@ use super::stated::All;
 use crate::catalog::{KNOWN, Known, Quantity};
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
 use command::Fault;
+use stage::{Message, message};
 use std::collections::BTreeMap;
+
+stage::messages! {
+    IN_METRES = "number-in-metres": "; did you mean {metres}m?";
+    BEYOND = "fail-number-beyond": "{flag}: `{text}` is not from {least} to {most}{unit}{hint}";
+    UNREADABLE = "fail-number": "{flag}: {why}";
+}
 
 /// What was given, by flag.
 #[derive(Clone, Default)]
@@ -33,7 +40,7 @@ impl Numbers {
                 continue;
             };
             let flag = format!("--{}", known.flag);
-            let value = value(known, text).map_err(|why| Fault::input(format!("{flag}: {why}")))?;
+            let value = value(known, text).map_err(|why| Fault::coded(&why))?;
             all.put(&flag, text, known.key, &value);
         }
         Ok(())
@@ -41,8 +48,10 @@ impl Numbers {
 }
 
 /// A number in its key's unit, if it can be.
-fn value(known: &Known, text: &str) -> Result<toml::Value, String> {
-    let value = read(known, text)?;
+fn value(known: &Known, text: &str) -> Result<toml::Value, Message> {
+    let flag = format!("--{}", known.flag);
+    let value = read(known, text);
+    let value = value.map_err(|why| message!(UNREADABLE, flag = &flag, why = why))?;
     let number = value.as_float().or(value.as_integer().map(|n| n as f64));
     let (least, most) = (known.least, known.most);
     let believed = |number: f64| (least..=most).contains(&number);
@@ -51,9 +60,20 @@ fn value(known: &Known, text: &str) -> Result<toml::Value, String> {
     }
     let bare = text.trim().parse::<f64>().ok();
     let metres = bare.filter(|n| known.of == Quantity::Length("cm") && believed(100.0 * n));
-    let hint = metres.map_or(String::new(), |n| format!("; did you mean {n}m?"));
-    let limits = format!("from {least} to {most} {}", known.of.unit());
-    Err(format!("`{text}` is not {}{hint}", limits.trim_end()))
+    let hint = metres.map(|n| message!(IN_METRES, metres = n.to_string()));
+    let unit = match known.of.unit() {
+        "" => String::new(),
+        unit => format!(" {unit}"),
+    };
+    Err(message!(
+        BEYOND,
+        flag = flag,
+        text = text,
+        least = least.to_string(),
+        most = most.to_string(),
+        unit = unit,
+        hint = hint.unwrap_or_default()
+    ))
 }
 
 fn read(known: &Known, text: &str) -> Result<toml::Value, String> {
@@ -117,11 +137,14 @@ mod tests {
         let wrong = |flag: &str, text: &str| value(known(flag), text).unwrap_err();
         assert_eq!(
             wrong("stature", "1.76"),
-            "`1.76` is not from 10 to 300 cm; did you mean 1.76m?"
+            "--stature: `1.76` is not from 10 to 300 cm; did you mean 1.76m?"
         );
-        assert_eq!(wrong("weight", "560"), "`560` is not from 0.5 to 500 kg");
-        assert_eq!(wrong("views", "-1"), "`-1` is not from 0 to 10000");
-        assert_eq!(wrong("focal", "wide"), "`wide` is not a number");
+        assert_eq!(
+            wrong("weight", "560"),
+            "--weight: `560` is not from 0.5 to 500 kg"
+        );
+        assert_eq!(wrong("views", "-1"), "--views: `-1` is not from 0 to 10000");
+        assert_eq!(wrong("focal", "wide"), "--focal: `wide` is not a number");
         assert_eq!(
             value(known("stature"), "1.76m").unwrap().as_float(),
             Some(176.0)

@@ -6,6 +6,7 @@ use stage::{Message, message};
 use std::path::{Path, PathBuf};
 
 stage::messages! {
+    NO_FOLDER = "fail-no-folder": "{file} is a file: hand over the folder with all photos of the turn, a video (mp4, mov, mkv, …), or a scan (ply, obj, stl, off, glb, 3mf)";
     ONLY_VIDEO = "warn-only-video": "the video is read, not what is beside it: {count} {count|photo|photos} ({first}, …)";
 }
 
@@ -30,10 +31,8 @@ impl Source {
         }
         let name = capture.file_name().and_then(|n| n.to_str());
         let Some(name) = name.filter(|n| is_video(n) || is_scan(n)) else {
-            return Err(Fault::input(format!(
-                "{} is a file: hand over the folder with all photos of the turn, a video (mp4, mov, mkv, …), or a scan (ply, obj, stl, off, glb, 3mf)",
-                capture.display()
-            )));
+            let file = capture.display().to_string();
+            return Err(Fault::coded(&message!(NO_FOLDER, file = file)));
         };
         let folder = capture.parent().filter(|f| !f.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new(".")).to_owned();

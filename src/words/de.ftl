@@ -291,6 +291,7 @@ screen-warnings = { $count ->
     [one] 1 Warnung
    *[other] { $count } Warnungen
 }
+screen-again = Wiederholen
 screen-files = alle Dateien: { $path }
 screen-report = Bericht:      { $path }
 
@@ -304,6 +305,7 @@ fail-copies = nur { $found } von { $files } Fotos sind verschieden, eine Drehung
 fail-count = angegeben sind { $promised } Fotos, es gibt aber { $found }{ $copies }: die fehlenden hinzufügen oder die Zahl berichtigen
 fail-few-no-mat = es gibt { $count } Fotos: Ohne Markenmatte werden Merkmale von Foto zu Foto verfolgt, und das braucht eine volle Drehung in Schritten von höchstens 30°; 18 bis 36 Fotos aufnehmen, oder eine gedruckte Matte auf die Scheibe legen und die Größe ihrer Marken angeben, oder die Schritte der vollen Drehung angeben
 fail-few-photos = Fotos in der Reihenfolge der Drehung: { $found }, eine Drehung braucht aber mindestens { $least }: die übrigen Fotos der Drehung hinzufügen
+fail-folder = { $folder }: { $why }; einen Ordner angeben, den es gibt und der lesbar ist
 fail-hopeless = { $why }
 fail-hull-contradicted = kein Punkt des Raums ist auf allen Fotos Körper: Der Umriss auf { $names } schneidet bis zu { $percent } von dem weg, was fast alle anderen zeigen; diesen Umriss ansehen, berichtigen oder das Foto weglassen
 fail-hull-few = nur { $count } Fotos haben sowohl einen Umriss als auch eine Kamera, eine Hülle braucht aber mindestens 3
@@ -332,6 +334,13 @@ fail-on-side = die Fotos liegen auf der Seite: Von der Scheibe aus liegt oben an
 fail-one-colour = { $name } hat nur eine Farbe: noch einmal aufnehmen oder weglassen
 fail-overexposed = { $name } ist fast überall überbelichtet: noch einmal aufnehmen oder weglassen
 fail-photo-size = Foto { $name } hat { $photo } Pixel, seine Kamera wurde aber für { $camera } kalibriert
+fail-mat-file = { $file } beschreibt keine Matte: die Datei der gedruckten Matte angeben (.pdf, .svg oder .toml) oder die Kantenlänge des schwarzen Quadrats einer gedruckten Marke
+fail-mat-unreadable = { $file }: { $why }
+fail-no-folder = { $file } ist eine Datei: den Ordner mit allen Fotos der Drehung angeben, ein Video (mp4, mov, mkv, …) oder eine Oberfläche (ply, obj, stl, off, glb, 3mf)
+fail-number = { $flag }: { $why }
+fail-number-beyond = { $flag }: { $text } ist nicht von { $least } bis { $most }{ $unit }{ $hint }
+fail-out-of-another = { $out } enthält anderes als die Ergebnisse von { $capture }: Nichts wurde geschrieben; einen anderen Ordner angeben
+fail-out-of-somebody = { $file } ist nicht von tailor: Nichts wurde geschrieben; einen leeren Ordner angeben
 fail-people = { $why }
 fail-photos-one-by-one = das sind Fotos eines Ordners, von denen jedes eine Aufnahme wäre: { $folder } angeben
 fail-plate-moves = es gibt kein Foto der leeren Szene, und nur { $still } der Bildpunkte stehen während der Drehung still: Hat sich die Kamera bewegt? Mit fester Kamera ein Foto der leeren Szene aufnehmen
@@ -469,6 +478,7 @@ note-open = kein Foto zeigt den Umriss entlang eines Teils dieses Schnitts (Hän
 note-who = WHO 2008: erhöhtes Risiko ab 0,90 (Männer), 0,85 (Frauen); keine Diagnose
 note-who-men = WHO 2008: erhöhtes Risiko ab 0,90 (Männer); keine Diagnose
 note-who-women = WHO 2008: erhöhtes Risiko ab 0,85 (Frauen); keine Diagnose
+number-in-metres = ; sind { $metres }m gemeint?
 people-without-feet = der Körper ist am unteren Rand von { $names } abgeschnitten; die ganze Person im Bild behalten, mit Platz unter den Füßen: Ohne Füße ist keine Höhe bekannt, und kein Umfang wird angegeben
 photos-and-more = { $names } und { $count } weitere
 photos-below = ; Ordner in Ordnern werden nur auf der Kommandozeile gelesen

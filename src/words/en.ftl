@@ -291,6 +291,7 @@ screen-warnings = { $count ->
     [one] 1 warning
    *[other] { $count } warnings
 }
+screen-again = to repeat it
 screen-files = all files: { $path }
 screen-report = report:    { $path }
 
@@ -326,6 +327,11 @@ fail-no-texture = no tags of the given mat were found, and no features that turn
 fail-no-video = there is no video here (mp4, mov, mkv, …)
 fail-not-installed = { $name } is not installed on this machine, and { $what } cannot be read without it: apt install { $package }
 fail-on-side = the photos are on their side: up from the disk runs to their left or right edge. Turn them by 90° in a viewer that saves them
+fail-mat-file = { $file } describes no mat: give the file of the printed mat (.pdf, .svg or .toml), or the edge length of a printed tag’s black square
+fail-mat-unreadable = { $file }: { $why }
+fail-number-beyond = { $flag }: { $text } is not from { $least } to { $most }{ $unit }{ $hint }
+fail-out-of-another = { $out } holds something else than the results of { $capture }: nothing was written; give another folder
+fail-out-of-somebody = { $file } was not written by tailor: nothing was written; give an empty folder
 fail-people = { $why }
 fail-photos-one-by-one = these are photos of one folder, each of which would be a capture: hand over { $folder }
 fail-plate-moves = there is no photo of the empty scene, and only { $still } of the photos’ pixels do not move over the turn: did the camera move? Take a photo of the empty scene, with a fixed camera

@@ -167,4 +167,19 @@ fn what_was_warned_of_is_told_where_nothing_comes_of_it() {
             "calibrated failed: ",
         ],
     );
+    // In German as far as it has codes, and nothing is made again.
+    let german = place.run(&format!(
+        "measure turn --out out --set photos.stop=false {wrong} --lang de"
+    ));
+    let german = german.code(1).err;
+    in_order(
+        &german,
+        &["\n2 Warnungen\n", "calibrated: ", "Wiederholen: "],
+    );
+    assert!(!german.contains(" failed: "), "{german}");
+    let german = place
+        .run("measure turn --stature 1.76 --lang de")
+        .code(2)
+        .err;
+    assert!(german.contains("sind 1.76m gemeint?"), "{german}");
 }

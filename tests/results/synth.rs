@@ -221,10 +221,7 @@ fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
         first.plate.as_ref().unwrap().file
     );
     let (a, b) = (&again.rig, &first.rig);
-    assert_eq!(
-        (a.mat, a.focal_35mm),
-        (b.mat, b.focal_35mm)
-    );
+    assert_eq!((a.mat, a.focal_35mm), (b.mat, b.focal_35mm));
     proof::near(a.step.unwrap(), b.step.unwrap(), 1e-12);
     proof::near(a.stature_mm.unwrap(), b.stature_mm.unwrap(), 1e-9);
     proof::near(

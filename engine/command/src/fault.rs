@@ -91,6 +91,35 @@ impl Fault {
         &self.text
     }
 
+    /// The same in another language: what has a code by `words`, `again` before the command that repeats it.
+    pub fn in_words(mut self, words: impl Fn(&Message) -> String, again: &str) -> Fault {
+        let read = |why: &Value| {
+            let why = serde_json::from_value::<Message>(why.clone());
+            why.ok().as_ref().map(&words)
+        };
+        let failures = self.more.get("failures").and_then(Value::as_array);
+        let lines = failures.into_iter().flatten().filter_map(|failure| {
+            Some(format!(
+                "{}: {}",
+                failure["node"].as_str()?,
+                read(&failure["why"])?
+            ))
+        });
+        let lines: Vec<String> = lines
+            .chain(self.more.get("message").and_then(read))
+            .collect();
+        if !lines.is_empty() {
+            let repeat = self.more.get("repeat").and_then(Value::as_str);
+            let repeat = repeat.map(|command| format!("{again}: {command}"));
+            self.text = lines
+                .into_iter()
+                .chain(repeat)
+                .collect::<Vec<_>>()
+                .join("\n");
+        }
+        self
+    }
+
     /// The exit code.
     pub fn code(&self) -> u8 {
         self.code
