@@ -1,7 +1,7 @@
 //! Where captures lay: what `cache forget` begins with, also when the records of the runs are long gone.
 //!
 //! `captures/HASH` names the folders whose files had this content, and the hashes of these files, as JSON; a list of
-//! folders alone is what earlier programs wrote. `captures/HASH` of a path that was a link says where it led.
+//! folders alone is what earlier programs wrote. `captures/HASH` of a path that was a link names its target.
 
 use super::error::StoreError;
 use super::folder::Store;
@@ -16,7 +16,6 @@ pub(super) const NOTED: &str = "noted";
 /// Where the notes are.
 pub(super) const FOLDER: &str = "captures";
 
-/// What a note says.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub(super) enum Note {
@@ -88,7 +87,7 @@ impl Store {
         }
     }
 
-    /// Notes that the files of a folder had this content; whether that stands there now.
+    /// Notes that the files of a folder had this content; whether that is there now.
     pub fn note_capture(&self, content: Hash, files: &Files) -> bool {
         let note = self.note_of(&content.to_hex());
         let mut folders = note.as_ref().map_or(vec![], |note| note.folders().to_vec());

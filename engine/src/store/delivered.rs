@@ -1,7 +1,7 @@
 //! Where results were delivered: who forgets a capture hears which folders still hold some of it.
 //!
-//! `delivered/HASH`, of the folder's path, says in JSON which folders the results came of, and the mark by which `run.json`
-//! there says the same. No key and no result has any of it.
+//! `delivered/HASH`, of the folder's path, lists in JSON the folders that the results came of, and has the mark of
+//! `run.json` there. No key and no result has any of it.
 
 use super::error::StoreError;
 use super::files::at;

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 /// A store that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
-    /// The disk says no.
+    /// The disk refuses.
     #[error("the cache at {}: {why}; free space or make it writable, or give another with --cache", path.display())]
     Disk {
         /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         why: std::io::Error,
     },
     /// Written by another version of the program.
@@ -18,7 +18,7 @@ pub enum StoreError {
     Format {
         /// The store.
         root: PathBuf,
-        /// What it says of itself.
+        /// The layout that it names.
         found: String,
     },
     /// Somebody else's folder.

@@ -171,7 +171,7 @@ pub(super) fn publish_new(
     })
 }
 
-/// What disks without second names say: FAT, some that are elsewhere.
+/// The errors of disks without second names: FAT, some that are elsewhere.
 fn knows_no_links(error: &std::io::Error) -> bool {
     matches!(
         error.kind(),

@@ -12,10 +12,10 @@ use stage::Hash;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 
-/// What the file `format` says.
+/// The text of the file `format`.
 const FORMAT: &str = "stage store 1\n";
 
-/// What it said before the engine was a crate of its own: the same layout, after the first program.
+/// Its text before the engine was a crate of its own: the same layout, after the first program.
 const FORMER: &str = "tailor store 1\n";
 
 /// A store on disk.
@@ -93,7 +93,7 @@ impl Store {
             return Err(StoreError::Strange { root, strange });
         }
         files::folder(&*store.disk, root)?;
-        // Whole or not there: what it says decides over all else.
+        // Whole or not there: its text decides over all else.
         let (tmp, care) = (store.fresh(), Care::Durable);
         files::publish(store.disk(), &tmp, &mark, FORMAT.as_bytes(), care)?;
         Ok(store)
@@ -113,7 +113,7 @@ impl Store {
         &self.root
     }
 
-    /// Where the record of a key is, if there is one: a text that tells what a result was made of.
+    /// Where the record of a key is, if there is one: a text that lists what a result was made of.
     pub fn record_file(&self, key: Hash) -> PathBuf {
         self.place("ac", key)
     }

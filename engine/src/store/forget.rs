@@ -1,4 +1,4 @@
-//! Forgetting a capture: everything that came of a folder of the user's goes, and what would tell of it goes last, so
+//! Forgetting a capture: everything that came of a folder of the user's goes, and what would lead to it goes last, so
 //! that whoever is cut off can be started again.
 
 use super::captures::{FOLDER as CAPTURES, NOTED, json};
@@ -32,7 +32,7 @@ pub struct Forgotten {
     pub shared: Vec<String>,
     /// Records and notes that could not be read, and went with all that may have come of them.
     pub broken: usize,
-    /// Results that went because nothing readable tells what they came of.
+    /// Results that went because nothing readable shows what they came of.
     pub untraced: usize,
     /// Blobs that went because no record names them.
     pub unnamed: usize,
@@ -46,7 +46,7 @@ pub struct Forgotten {
 ///
 /// # Errors
 ///
-/// A run uses the store, the disk refuses, or the shared store that the store is linked to. Then what tells of the
+/// A run uses the store, the disk refuses, or the shared store that the store is linked to. Then what leads to the
 /// folder is still there, and it can be forgotten again.
 pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let root = store.root();
@@ -100,7 +100,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let record = |key: &Hash| format!("{}/{}", root.display(), &own::name("ac", *key));
     forgotten.unread = links.unread.iter().map(record).collect();
     forgotten.unread.extend(there);
-    // Nobody says whose they are, and a process has their number.
+    // Nothing shows whose they are, and a process has their number.
     let mut stay = leftover::there(root).map_err(at(&root.join("exec")))?;
     let written = store.files("tmp", own::is_writing)?.into_iter();
     stay.extend(written.map(|name| root.join("tmp").join(name)));
@@ -127,7 +127,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
 fn shared(links: &Links, of_it: &[usize], trace: &Trace) -> Vec<String> {
     let going: BTreeSet<usize> = of_it.iter().copied().collect();
     let mut shared = BTreeSet::new();
-    for (content, folders) in &trace.others {
+    for (content, folders) in &trace.remaining {
         let theirs = links.derived(&BTreeSet::from([content.clone()]));
         if theirs.iter().any(|i| going.contains(i)) {
             shared.extend(folders.iter().cloned());

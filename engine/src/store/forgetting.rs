@@ -1,6 +1,6 @@
-//! Forgetting, held against random captures, random faults, and a disk that ends at any of its steps: afterwards the
+//! Forgetting, tried with random captures, random faults, and a disk that ends at any of its steps: afterwards the
 //! bytes of the store are searched for what only the captures had. `ENGINE_FORGETS=1000` takes so many stories,
-//! `ENGINE_FORGETS_SEED` others.
+//! `ENGINE_FORGETS_SEED` other ones.
 
 mod story;
 
@@ -18,7 +18,7 @@ fn rounds(usual: u64) -> std::ops::Range<u64> {
     seed..seed + number("ENGINE_FORGETS", usual)
 }
 
-/// So many steps of a disk, all told, where no story takes more.
+/// So many steps of a disk in all, where no story takes more.
 const MOST_STEPS: usize = 400;
 
 #[test]
@@ -42,7 +42,7 @@ fn nothing_of_a_capture_is_left_whatever_happened_before() {
             story.spoil(&mut dice);
         }
         let mut folder = story.captures[0].folder.clone();
-        // A capture may have been moved; without its note only its files tell.
+        // A capture may have been moved; without its note only its files identify it.
         if sound && dice.unit() < 0.5 {
             let moved = story.place.path().join("moved");
             std::fs::rename(&folder, &moved).unwrap();
@@ -53,7 +53,7 @@ fn nothing_of_a_capture_is_left_whatever_happened_before() {
         let round = format!("seed {seed}: {forgotten:?}");
         assert_eq!(forgotten.unread, Vec::<String>::new(), "{round}");
         story.clean(&round);
-        // What is broken of the others is put aside, and nothing of it is this one's.
+        // What is broken of the rest is put aside, and nothing of it is this one's.
         keeper::verify(&store).unwrap();
         assert_eq!(keeper::verify(&store).unwrap(), 0, "{round}");
         story.clean(&round);
@@ -63,7 +63,7 @@ fn nothing_of_a_capture_is_left_whatever_happened_before() {
                 forgotten.known && forgotten.broken + forgotten.untraced == 0,
                 "{round}"
             );
-            // The others keep all that they had, shared blobs too.
+            // The rest keep all that they had, shared blobs too.
             for capture in &story.captures[1..] {
                 let left = below(&story.root());
                 let has = |path: &PathBuf| {
@@ -196,7 +196,7 @@ fn what_was_forgotten_does_not_come_back_with_a_loss_of_power() {
 }
 
 #[test]
-fn a_step_of_forgetting_that_fails_is_told_and_what_leads_to_the_rest_stays() {
+fn a_step_of_forgetting_that_fails_is_reported_and_what_leads_to_the_rest_stays() {
     let mut dice = Dice(7);
     for fails in 0..60 {
         let story = Story::new(&mut dice);

@@ -4,7 +4,7 @@
 //! blob's size, inode and time of change are those of when it was last read and found whole.
 //! Unlike the time of modification, the time of change cannot be set back by a program. What
 //! changed within a second of the index being written is left out (the racy-timestamp rule), and
-//! what is loaded to be used is verified whatever the index says.
+//! what is loaded to be used is verified whatever the index has.
 //!
 //! ```text
 //! 0    magic "STAGEIDX"     8 bytes (before version 0.2.0 "TAILORIX": the same layout)
@@ -23,7 +23,7 @@ use std::path::Path;
 
 const MAGIC: &[u8; 8] = b"STAGEIDX";
 
-/// What it said before the engine was a crate of its own: the same layout.
+/// What it was before the engine was a crate of its own: the same layout.
 const FORMER: &[u8; 8] = b"TAILORIX";
 
 const RACY_NS: i64 = 1_000_000_000;

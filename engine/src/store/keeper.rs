@@ -11,7 +11,7 @@ use crate::system::nofollow;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Runs whose records are kept if nothing else is said; there may be twice as many for a while.
+/// Runs whose records are kept by default; there may be twice as many for a while.
 pub const KEPT_RECORDS: usize = 200;
 
 /// Where parts and checkpoints are, and lay before they were bound to their keys.
@@ -47,7 +47,7 @@ fn listed(store: &Store, stop: &dyn Fn() -> bool) -> Result<Option<Vec<Kept>>, S
         let Some(record) = store.record_on_disk(key)? else {
             return Ok(None);
         };
-        // What the disk holds, whatever a record says that came from elsewhere.
+        // The size on the disk, whatever a record from elsewhere has.
         let place = store.place("cas", record.content);
         let bytes = match std::fs::metadata(&place) {
             Err(why) if nofollow::is_absent(&why) => return Ok(None),
@@ -121,7 +121,7 @@ pub struct Swept {
     pub parts_bytes: u64,
     /// Records of runs.
     pub records: usize,
-    /// Whether it was stopped before its end; what went by then is told.
+    /// Whether it was stopped before its end; what went by then is reported.
     pub stopped: bool,
 }
 
@@ -161,7 +161,7 @@ pub fn gc_until(
                 .ok_or_else(|| StoreError::Busy(store.root().into()))?,
         ),
     };
-    // All is read before anything goes: what cannot be read may say that something stays.
+    // All is read before anything goes: what cannot be read may be why something stays.
     let runs = store.root().join("runs");
     let pins: BTreeSet<String> = store.pins()?.into_iter().map(|(_, run)| run).collect();
     let stays = past::contents(store.root(), budget.keep_runs, &pins);

@@ -1,4 +1,4 @@
-//! Leases: of all processes on a store, one makes a result while the others wait for it or do
+//! Leases: of all processes on a store, one makes a result while the rest wait for it or do
 //! something else.
 //!
 //! A lease is a lock of the operating system on a file, so it vanishes with its process however
@@ -18,7 +18,7 @@ use stage::Hash;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::path::Path;
 
-/// Held while a result is made.
+/// The lock on a result while it is made.
 #[derive(Debug)]
 pub struct Lease(File);
 
@@ -63,7 +63,7 @@ impl Store {
     }
 }
 
-/// Held while a run uses the store, or while somebody sweeps it. It goes with its process.
+/// The lock on a store while a run uses it, or while it is swept. It goes with its process.
 #[derive(Debug)]
 pub struct InUse {
     file: Option<File>,
@@ -81,7 +81,7 @@ impl Store {
         lock_file(&self.root().join("in-use"))
     }
 
-    /// For a run or an upload: side by side with others, but not while somebody sweeps, which is waited for.
+    /// For a run or an upload: side by side with other users, but not while somebody sweeps, which is waited for.
     /// On a disk that knows no locks nothing is waited for; what is swept is made again.
     pub fn using(&self) -> InUse {
         let file = self.in_use().filter(|file| file.lock_shared().is_ok());

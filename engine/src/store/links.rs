@@ -60,7 +60,7 @@ impl Links {
         order
     }
 
-    /// Which results can be told to be nobody's who is to be forgotten: all that they were made of is among `sources`, or
+    /// Which results are certainly nobody's who is to be forgotten: all that they were made of is among `sources`, or
     /// was made by such a result; none of them has one of these keys. What a broken record made is no such thing.
     pub(super) fn alive(
         &self,

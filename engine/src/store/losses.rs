@@ -1,5 +1,5 @@
-//! The protocol of publishing, held against a disk that fails at each of its steps and one that loses
-//! power after each. `ENGINE_LOSSES=1000` takes so many sequences of steps, `ENGINE_LOSSES_SEED` others.
+//! The protocol of publishing, tried on a disk that fails at each of its steps and one that loses
+//! power after each. `ENGINE_LOSSES=1000` takes so many sequences of steps, `ENGINE_LOSSES_SEED` other ones.
 
 use super::index::Index;
 use super::simulated::{Simulated, after_loss, laid};
@@ -60,7 +60,7 @@ fn work(store: &Store, disk: &Simulated, results: &[Result]) -> Vec<Option<usize
     results.iter().map(one).collect()
 }
 
-/// Holds a store to what it promises: what it tells is right, what is missing can be made again, and
+/// Holds a store to what it promises: what it gives is right, what is missing can be made again, and
 /// then it is whole.
 fn hold(store: &Store, results: &[Result], round: &str) {
     for r in results {

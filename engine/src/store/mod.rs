@@ -5,7 +5,7 @@
 //! cas/ab/abcdef…        blobs, named by the hash of their bytes; never changed
 //! ac/ab/abcdef…         records by key: what was made, from what, how long it took
 //! parts/ab/abcdef…      parts and checkpoints of unfinished work
-//! lease/…               held while a result is made; see `lease.rs`
+//! lease/…               locked while a result is made; see `lease.rs`
 //! runs/…                one record a run
 //! pins/…                names of runs whose results stay
 //! in-use                locked by whoever runs, and by who sweeps; see `lease.rs`
@@ -20,7 +20,7 @@
 //! ```
 //!
 //! A blob is written to `tmp` and renamed; a record likewise, and after its blob. So a kill
-//! at any moment leaves whole files or litter in `tmp`. Nothing persisted says "running" or "locked".
+//! at any moment leaves whole files or litter in `tmp`. Nothing persisted means "running" or "locked".
 //! What is read is verified; what is corrupt or missing is a miss. What took long enough to be
 //! worth it is synced to the disk before it gets its name.
 

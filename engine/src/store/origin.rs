@@ -2,7 +2,7 @@
 //! does not pass for made here.
 //!
 //! `origin`: a random word, then the number and the time of change of the file `format` in this folder, as the system
-//! tells them. In a folder that was copied, unpacked or cloned they are others, and the mark is made anew. Where the
+//! gives them. In a folder that was copied, unpacked or cloned they differ, and the mark is made anew. Where the
 //! system keeps no numbers of files (Windows) only the time speaks.
 
 use super::files::{self, Care};

@@ -6,7 +6,7 @@ use super::folder::Store;
 use stage::Hash;
 
 impl Store {
-    /// Remembers bytes under a key, over what was there: first a hash of the key and them, to tell
+    /// Remembers bytes under a key, over what was there: first a hash of the key and them, to distinguish
     /// whole from torn, and this key's from another's.
     ///
     /// # Errors

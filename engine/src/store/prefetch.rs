@@ -8,7 +8,7 @@ use std::thread::{Builder, JoinHandle};
 /// From so many entries on it is worth to look at their blobs on several threads.
 const MANY: usize = 2000;
 
-/// The index of a store, read and held against its blobs on threads of its own: for whoever reads
+/// The index of a store, read and checked against its blobs on threads of its own: for whoever reads
 /// a pipeline meanwhile.
 pub struct Prefetch(Result<JoinHandle<Index>, Index>);
 

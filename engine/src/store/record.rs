@@ -61,16 +61,16 @@ const VERSION: u32 = 4;
 /// Without a warning that has a code, programs read it that know none.
 const WITHOUT_CODES: u32 = 3;
 
-/// What other stores get, which says nothing of where it was made.
+/// What other stores get, without where it was made.
 const SHARED_VERSION: u32 = 2;
 
-/// No stage takes longer: some thirty years, so that sums of what strangers say stay numbers. \[s\]
+/// No stage takes longer: some thirty years, so that sums of what strangers send stay numbers. \[s\]
 const LONGEST_S: f64 = 1e9;
 
 /// Versions that are read.
 const READABLE: std::ops::RangeInclusive<u32> = 1..=VERSION;
 
-/// What every version of a record says first.
+/// What every version of a record has first.
 #[derive(Deserialize)]
 struct Version {
     version: u32,
@@ -129,7 +129,7 @@ pub(super) fn parse(file: &[u8]) -> Result<Record, Unread> {
     parse_with_origin(file).map(|(record, _)| record)
 }
 
-/// A record from the bytes of its file, and where it says it was made.
+/// A record from the bytes of its file, and the origin that it names.
 pub(super) fn parse_with_origin(file: &[u8]) -> Result<(Record, Option<Origin>), Unread> {
     let end = file.iter().position(|b| *b == b'\n');
     let (hash, body) = file.split_at(end.ok_or(Unread::Corrupt)?);

@@ -25,7 +25,7 @@ impl Store {
         }
     }
 
-    /// Whether the record of a key is what it says, as far as this version of the program knows.
+    /// Whether the record of a key is valid, as far as this version of the program knows.
     ///
     /// # Errors
     ///
@@ -42,7 +42,7 @@ impl Store {
         self.read_with_origin(key).map(|(record, _)| record)
     }
 
-    /// The record of a key, and where it says it was made.
+    /// The record of a key, and the origin that it names.
     pub(super) fn read_with_origin(&self, key: Hash) -> Result<(Record, Option<Origin>), Unread> {
         let path = self.place("ac", key);
         let file = std::fs::read(&path).map_err(|why| match why.kind() {

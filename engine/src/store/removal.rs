@@ -64,7 +64,7 @@ impl Store {
 }
 
 /// Whether nobody is writing a file of `tmp` now: who does holds a lock on it, so that the number of a killed process
-/// that another has since says nothing. Where the disk knows no locks, the number has to do.
+/// that another has since proves nothing. Where the disk knows no locks, the number has to do.
 pub(super) fn is_litter(root: &Path, name: &str) -> bool {
     let number = || name.split('-').next().is_none_or(is_alive);
     let Ok(file) = File::open(root.join("tmp").join(name)) else {

@@ -104,7 +104,7 @@ impl Disk for Simulated {
     }
 }
 
-/// What a name stands for.
+/// What has a name.
 #[derive(Debug, Clone, Copy)]
 enum Entry {
     Folder,
@@ -224,8 +224,9 @@ pub(crate) fn after_loss(
     let mut there: Vec<(PathBuf, Option<Vec<u8>>)> = vec![];
     for (path, entry) in &memory.safe {
         let above = path.parent().expect("bug: the root itself");
-        let held = |(folder, file): &(PathBuf, Option<Vec<u8>>)| folder == above && file.is_none();
-        if above == root || there.iter().any(held) {
+        let is_above =
+            |(folder, file): &(PathBuf, Option<Vec<u8>>)| folder == above && file.is_none();
+        if above == root || there.iter().any(is_above) {
             let file = match entry {
                 Entry::Folder => None,
                 Entry::File(file) => Some(left(&memory.files[*file], dice)),

@@ -24,7 +24,7 @@ pub struct Trace {
     /// Their notes in the order in which they go, and what of each stays: other folders that are there.
     pub(super) notes: Vec<(String, Option<Note>)>,
     /// Contents of other captures that stay, with their folders.
-    pub(super) others: BTreeMap<String, Vec<String>>,
+    pub(super) remaining: BTreeMap<String, Vec<String>>,
     /// Files in the folder that cannot be read, and folders in which there may be links to them.
     pub(super) unread: Vec<PathBuf>,
     /// How many notes could not be read.
@@ -254,7 +254,7 @@ impl Trace {
             }
         }
         if !theirs.is_empty() {
-            self.others.insert(name, theirs);
+            self.remaining.insert(name, theirs);
         }
     }
 }

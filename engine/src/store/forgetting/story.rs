@@ -86,13 +86,13 @@ impl Story {
             "x",
             &[("turn".into(), capture.folder.clone())],
         );
-        // With whether it tells of the capture: equal inputs come to equal results, whoever had them.
+        // With whether it shows the capture: equal inputs come to equal results, whoever had them.
         let (mut made, mut lines) = (vec![(hex(content), true)], vec![]);
         for n in 0..3 + dice.bits() % 3 {
-            let (from, tells) = made[dice.bits() as usize % made.len()].clone();
+            let (from, shows) = made[dice.bits() as usize % made.len()].clone();
             // Some results are of equal bytes, whatever they were made of.
-            let (bytes, tells) = match dice.bits() % 4 {
-                1.. if tells => (format!("{} result {n}", capture.photos), true),
+            let (bytes, shows) = match dice.bits() % 4 {
+                1.. if shows => (format!("{} result {n}", capture.photos), true),
                 _ => (format!("equal {}", n % 2), false),
             };
             let provenance = vec![
@@ -114,7 +114,7 @@ impl Story {
             store.remember(key, bytes.as_bytes())?;
             store.keep(bytes.as_bytes(), record.seconds)?;
             store.create_record(key, &record)?;
-            made.push((hex(record.content), tells));
+            made.push((hex(record.content), shows));
             lines.push(serde_json::json!({ "node": n, "content": hex(record.content) }));
         }
         let head = serde_json::json!({ "program": "toy", "seconds": 1.0,

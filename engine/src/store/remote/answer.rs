@@ -1,4 +1,4 @@
-//! What a bucket says when it does not do what it is asked, and what to do about it.
+//! What a bucket answers when it does not do what it is asked, and what to do about it.
 
 use super::objects::Trouble;
 
@@ -84,7 +84,7 @@ pub(super) fn plain(error: &dyn std::error::Error) -> String {
         .collect()
 }
 
-/// A text with what a server says in XML in its own words: code and message.
+/// A text with a server's XML in its own words: code and message.
 fn reported(text: &str) -> String {
     let Some((before, xml)) = text
         .split_once("<?xml")
@@ -108,7 +108,7 @@ mod tests {
     use super::reported;
 
     #[test]
-    fn what_a_server_says_in_xml_is_said_in_words() {
+    fn what_a_server_answers_in_xml_is_shown_in_words() {
         let xml = "Server returned 403 Forbidden: <?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Error><Code>AccessDenied</Code>\
             <Message>Access Denied.</Message><Resource>/lab/ac</Resource><RequestId>1</RequestId></Error> (try 1)";
         assert_eq!(

@@ -48,10 +48,10 @@ impl Link {
         seal.is_none_or(|seal| seal.believes(&plan_message(name), signature))
     }
 
-    /// Says once that something here is not signed.
-    pub(super) fn say_unsigned(&self) {
+    /// Reports once that something here is not signed.
+    pub(super) fn report_unsigned(&self) {
         if !self.unsigned.swap(true, Ordering::Relaxed) {
-            self.say(
+            self.report(
                 "what in this cache was brought without a signature that --trust knows, or made by an earlier program or in another folder, goes there unsigned: to sign it, make it again in an empty cache",
             );
         }
@@ -60,16 +60,16 @@ impl Link {
     /// Warns once that the key does not sign any more.
     pub(super) fn warn_expired(&self) {
         if !self.unsigned.swap(true, Ordering::Relaxed) {
-            self.say(
+            self.report(
                 "the last day of the signing key is over: what is made goes there unsigned until this is started again with a new key (`cache keygen`)",
             );
         }
     }
 
-    /// Says once that somebody is not believed.
-    pub(super) fn say_stranger(&self, name: &str) {
+    /// Reports once that somebody is not believed.
+    pub(super) fn report_stranger(&self, name: &str) {
         if !self.strangers.swap(true, Ordering::Relaxed) {
-            self.say(&format!(
+            self.report(&format!(
                 "{name} is not signed by anybody in the list of --trust: nothing like it is used"
             ));
         }

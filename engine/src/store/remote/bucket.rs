@@ -35,7 +35,7 @@ struct Bucket {
 ///
 /// # Errors
 ///
-/// The address is none, or what the environment says of it is not enough.
+/// The address is none, or what the environment has for it is not enough.
 pub fn open(address: &str, patience: Patience) -> Result<Box<dyn Objects>, Trouble> {
     let refuse = |why: &str| Trouble::Refused(why.to_owned());
     let (scheme, rest) = address.split_once("://").ok_or_else(|| refuse(ADDRESSES))?;

@@ -10,7 +10,7 @@ use object_store::gcp::GoogleCloudStorageBuilder;
 use object_store::{BackoffConfig, ClientOptions, ObjectStore, RetryConfig};
 use std::time::Duration;
 
-/// What is said of an address that is none.
+/// The message for an address that is none.
 pub(super) const ADDRESSES: &str = "its address is none: give s3://BUCKET/PREFIX, gs://BUCKET/PREFIX, az://CONTAINER/PREFIX or file:///FOLDER";
 
 /// A bucket whose answers are waited for so long, and come at a pace.
@@ -53,7 +53,7 @@ pub(super) fn of_scheme(
     store.map_err(|e| Trouble::Refused(plain(&e)))
 }
 
-/// As the environment says, and where it says nothing, a profile.
+/// By the environment, and where it has nothing, by a profile.
 fn amazon() -> Result<AmazonS3Builder, Trouble> {
     let env = |name: &str| std::env::var(name).ok();
     let reply = |names: &[&str]| names.iter().any(|n| env(n).is_some_and(|v| !v.is_empty()));

@@ -7,7 +7,7 @@
 //! the result, if it is small; else it is a blob of its own
 //! ```
 //!
-//! The nonce tells who wrote it, where an answer was lost. All that is read is data from strangers.
+//! The nonce shows who wrote it, where an answer was lost. All that is read is data from strangers.
 
 use super::super::record::{Record, Unread, parse as parse_record};
 use stage::Hash;
@@ -56,7 +56,7 @@ pub(super) fn bytes(
     [head.as_bytes(), file, blob.unwrap_or_default()].concat()
 }
 
-/// The object of a key. Its record must be of that key, and its result must be what the record says.
+/// The object of a key. Its record must be of that key, and its result the one that the record names.
 pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
     let end = object.iter().take(HEAD_MOST).position(|b| *b == b'\n');
     let end = end.ok_or(Unread::Corrupt)?;
@@ -74,7 +74,7 @@ pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
     let rest = &object[end + 1..];
     let (file, tail) = rest.split_at_checked(length).ok_or(Unread::Corrupt)?;
     let record = parse_record(file)?;
-    // What it says of its size decides what goes when the store grows.
+    // The size that it gives decides what goes when the store grows.
     let whole = match blob {
         "-" => tail.is_empty() && record.bytes <= MOST_BLOB,
         size => {

@@ -21,7 +21,7 @@ pub(super) struct Identity(pub(super) [u8; 32]);
 pub enum Honest {
     /// One of them wins.
     Creates,
-    /// Both are told that they won.
+    /// Both are answered that they won.
     Overwrites,
 }
 
@@ -49,7 +49,7 @@ pub(super) fn identity(objects: &dyn Objects, read_only: bool) -> Result<Identit
     if let Some(found) = whole(objects, NAME, 4096)? {
         return read(&found);
     }
-    // A bucket that is not there says that it has no such object, too; a listing tells.
+    // A bucket that is not there answers that it has no such object, too; a listing shows which it is.
     let mut strange = None;
     objects.list("", &mut |page| {
         strange = page.into_iter().next().map(|object| object.name);
@@ -74,10 +74,10 @@ pub(super) fn identity(objects: &dyn Objects, read_only: bool) -> Result<Identit
     let own = text(fresh());
     objects.create(NAME, own.as_bytes())?;
     let found = whole(objects, NAME, 4096)?;
-    read(&found.ok_or_else(|| lies("what was written a moment ago is not there"))?)
+    read(&found.ok_or_else(|| unreliable("what was written a moment ago is not there"))?)
 }
 
-/// Gives the store another identity: what others know of it no longer holds.
+/// Gives the store another identity: what caches know of it no longer counts.
 ///
 /// # Errors
 ///
@@ -103,7 +103,7 @@ fn read(bytes: &[u8]) -> Result<Identity, Trouble> {
     })
 }
 
-fn lies(what: &str) -> Trouble {
+fn unreliable(what: &str) -> Trouble {
     Trouble::Refused(format!(
         "{what}: nothing of ours is kept in a store that does not keep what it is given"
     ))
@@ -135,12 +135,12 @@ pub(super) fn probe(objects: &dyn Objects) -> Result<Honest, Trouble> {
     let [first, second] = came;
     let (first, second, found) = (first?, second?, found?);
     let Some(found) = found else {
-        return Err(lies("what was written a moment ago is not there"));
+        return Err(unreliable("what was written a moment ago is not there"));
     };
     if !texts.contains(&found) {
-        return Err(lies("it gives other bytes than it was given"));
+        return Err(unreliable("it gives other bytes than it was given"));
     }
-    // An answer that was lost and asked for again may say "there" to both: one object all the same.
+    // An answer that was lost and asked for again may be "there" for both: one object all the same.
     match [first, second] {
         [Created::New, Created::New] => Ok(Honest::Overwrites),
         _ => Ok(Honest::Creates),

@@ -16,10 +16,10 @@ pub enum NoKey {
     Disk {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         why: std::io::Error,
     },
-    /// Others may read it.
+    /// Other users may read it.
     #[error("{}: other users may read this signing key: make a new one with `cache keygen`, or `chmod 600` it if nobody has", .0.display())]
     Open(PathBuf),
     /// It is none.

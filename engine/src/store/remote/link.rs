@@ -1,6 +1,6 @@
 //! A store's link to a shared one: how the place is doing, what waits to be uploaded, what is known.
 //!
-//! A place that does not answer is left alone for a while, longer each time, and said once: whoever runs
+//! A place that does not answer is left alone for a while, longer each time, and reported once: whoever runs
 //! goes on without it.
 
 use super::handshake::{self, Honest, Identity};
@@ -16,8 +16,8 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
-/// Says a line to the user.
-pub type Say = Box<dyn Fn(&str) + Send + Sync>;
+/// Reports a line to the user.
+pub type Report = Box<dyn Fn(&str) + Send + Sync>;
 
 /// A store's link to a shared one.
 pub struct Link {
@@ -29,11 +29,11 @@ pub struct Link {
     pub(super) read_only: bool,
     /// Who signs what is written, and who is believed.
     pub(super) seal: Option<Box<dyn Seal>>,
-    /// Whether it was said that somebody is not believed.
+    /// Whether it was reported that somebody is not believed.
     pub(super) strangers: AtomicBool,
-    /// Whether it was said that something here is not signed.
+    /// Whether it was reported that something here is not signed.
     pub(super) unsigned: AtomicBool,
-    say: Say,
+    report: Report,
     met: Mutex<Met>,
     pub(super) known: Mutex<Known>,
     pub(super) inventory: Mutex<Inventory>,
@@ -55,7 +55,7 @@ struct Met {
 pub(super) struct Queue {
     pub(super) keys: VecDeque<[u8; 32]>,
     /// Those in `keys`, and those that are being uploaded.
-    pub(super) held: BTreeSet<[u8; 32]>,
+    pub(super) queued: BTreeSet<[u8; 32]>,
     /// There may be more in the folder than here.
     pub(super) more: bool,
     pub(super) running: usize,
@@ -71,8 +71,8 @@ pub(super) struct Queue {
     pub(super) absent: BTreeSet<[u8; 32]>,
 }
 
-/// Keys held in memory; more wait in the folder alone.
-pub(super) const MOST_HELD: usize = 4096;
+/// Keys in memory; more wait in the folder alone.
+pub(super) const MOST_QUEUED: usize = 4096;
 
 /// Whether the place answers.
 #[derive(Default)]
@@ -82,7 +82,7 @@ struct Weather {
     wait: Duration,
     why: String,
     reply: bool,
-    /// How long it held up who waits for it, since it last answered.
+    /// How long it delayed who waits for it, since it last answered.
     stalled: Duration,
 }
 
@@ -102,7 +102,7 @@ impl Link {
     ///
     /// # Errors
     ///
-    /// The place refuses: no bucket, no rights, no store of ours. One that does not answer is told, and
+    /// The place refuses: no bucket, no rights, no store of ours. One that does not answer is reported, and
     /// asked again later.
     pub fn new(
         root: &Path,
@@ -110,7 +110,7 @@ impl Link {
         read_only: bool,
         seal: Option<Box<dyn Seal>>,
         patience: Patience,
-        say: Say,
+        report: Report,
     ) -> Result<Link, Trouble> {
         let link = Link {
             tag: tag(objects.name()),
@@ -120,7 +120,7 @@ impl Link {
             seal,
             strangers: AtomicBool::new(false),
             unsigned: AtomicBool::new(false),
-            say,
+            report,
             met: Mutex::default(),
             known: Mutex::default(),
             inventory: Mutex::default(),
@@ -131,7 +131,7 @@ impl Link {
         };
         match link.waited(&|| link.meet()) {
             Err(Trouble::Refused(why)) => Err(Trouble::Refused(why)),
-            // Said already.
+            // Reported already.
             Err(Trouble::Down(_)) | Ok(()) => Ok(link),
         }
     }
@@ -152,8 +152,8 @@ impl Link {
         self.read_only
     }
 
-    pub(super) fn say(&self, line: &str) {
-        (self.say)(&format!("store {}: {line}", self.objects.name()));
+    pub(super) fn report(&self, line: &str) {
+        (self.report)(&format!("store {}: {line}", self.objects.name()));
     }
 
     pub(super) fn queue(&self) -> MutexGuard<'_, Queue> {
@@ -181,16 +181,16 @@ impl Link {
         Ok(())
     }
 
-    /// Whether the place keeps to what it says of creating, once; before anything is written.
+    /// Whether the place creates only what is not there, as it promises; checked once, before anything is written.
     pub(super) fn honest(&self) -> Result<Honest, Trouble> {
         self.meet()?;
         let mut met = self.met.lock().expect("bug: poisoned");
         if met.honest.is_none() {
             let honest = self.steadily(&|| handshake::probe(&*self.objects))?;
             if honest == Honest::Overwrites {
-                self.say(
-                    "it writes over what is there when it is asked to create: who comes second is not told \
-                     from who comes first, and what is not deterministic is not noticed",
+                self.report(
+                    "it writes over what is there when it is asked to create: who comes second gets \
+                     the same answer as who comes first, and what is not deterministic is not noticed",
                 );
             }
             met.honest = Some(honest);
@@ -206,7 +206,7 @@ impl Link {
         })
     }
 
-    /// Asks, and notes how long that held up who waits for it, if nothing came of it.
+    /// Asks, and notes how long that delayed who waits for it, if nothing came of it.
     fn waited<T>(&self, ask: &dyn Fn() -> Result<T, Trouble>) -> Result<T, Trouble> {
         if let Some(why) = self.rests() {
             return Err(Trouble::Down(why));
@@ -219,7 +219,7 @@ impl Link {
         answer
     }
 
-    /// How long the place held up who waited for it, since it last answered.
+    /// How long the place delayed who waited for it, since it last answered.
     pub(super) fn stalled(&self) -> Duration {
         self.weather.lock().expect("bug: poisoned").stalled
     }
@@ -281,7 +281,7 @@ impl Link {
         weather.why = why.into();
         if !std::mem::replace(&mut weather.reply, true) {
             drop(weather);
-            self.say(&format!(
+            self.report(&format!(
                 "it does not answer ({why}): going on without it; what is made waits in the cache and is uploaded later"
             ));
         }
@@ -294,7 +294,7 @@ impl Link {
         weather.stalled = Duration::ZERO;
         if std::mem::replace(&mut weather.reply, false) {
             drop(weather);
-            self.say("it answers again");
+            self.report("it answers again");
         }
     }
 }

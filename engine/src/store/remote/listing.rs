@@ -13,7 +13,7 @@ use std::time::Duration;
 /// So many records that are not there are asked for one by one; then a listing is worth it.
 const ASKED: usize = 8;
 
-/// A store of more records is not listed to its end: a request tells of a thousand, and every worker asks. \[records\]
+/// A store of more records is not listed to its end: a request lists a thousand, and every worker asks. \[records\]
 const MOST_LISTED: usize = 10_000;
 
 /// A record that was not there is not asked for again so soon.
@@ -33,7 +33,7 @@ impl Link {
         {
             return false;
         }
-        // Others go on making results.
+        // Other machines go on making results.
         if inventory
             .tried
             .is_some_and(|at| clock::since(at) > HOLDS_FOR)
@@ -72,7 +72,7 @@ impl Link {
 
 impl Store {
     /// The keys of all records of the shared store, asked for now; `None` if there is no such store, it does
-    /// not answer, has more than `most`, or a listing does not tell what of it is believed.
+    /// not answer, has more than `most`, or a listing does not show what of it is believed.
     pub(crate) fn listed(&self, most: usize) -> Option<Arc<HashSet<[u8; 32]>>> {
         let link = self.link.as_ref().filter(|link| !link.is_strict())?;
         let listed = link.ask(&|| link.listed(most)).ok().flatten()?;

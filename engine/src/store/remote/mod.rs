@@ -66,7 +66,7 @@ pub(super) use joined::of;
 pub use key_file::NoKey;
 #[cfg(test)]
 pub(crate) use keys::{Keys as KeysOf, Pair};
-pub use link::{Link, Say};
+pub use link::{Link, Report};
 pub use objects::{Created, Got, Object, Objects, Trouble};
 pub use patience::Patience;
 #[cfg(test)]

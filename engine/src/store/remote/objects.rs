@@ -2,7 +2,7 @@
 
 use std::time::SystemTime;
 
-/// An object as a listing tells it.
+/// An object as a listing gives it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Object {
     /// Its name below the store's prefix: `ac/ab/abcdef…`.
@@ -39,7 +39,7 @@ pub enum Trouble {
     /// It may answer later: the network, a server that is overloaded or gone.
     #[error("it does not answer: {0}")]
     Down(String),
-    /// It will say the same again: rights, no such bucket, a full quota.
+    /// It will answer the same again: rights, no such bucket, a full quota.
     #[error("{0}")]
     Refused(String),
 }
@@ -50,7 +50,7 @@ pub trait Objects: Send + Sync {
     /// What the user calls it: `s3://bucket/prefix`.
     fn name(&self) -> &str;
 
-    /// Hands over the bytes of an object as they come, until `take` says `false`.
+    /// Hands over the bytes of an object as they come, until `take` returns `false`.
     ///
     /// # Errors
     ///
@@ -78,7 +78,7 @@ pub trait Objects: Send + Sync {
     /// The place does not answer, or refuses.
     fn size(&self, name: &str) -> Result<Option<u64>, Trouble>;
 
-    /// All objects below a folder (`""`: all there are), some at a time, until `take` says `false`.
+    /// All objects below a folder (`""`: all there are), some at a time, until `take` returns `false`.
     ///
     /// # Errors
     ///

@@ -1,10 +1,10 @@
-//! How long a store that does not answer may hold up a run: no longer than was said, all its waits together.
+//! How long a store that does not answer may delay a run: no longer than was given, all its waits together.
 
 use std::thread::{Builder, JoinHandle};
 use std::time::Duration;
 
-/// What was said, shared out among the waits there are: questions before results are known, uploads at the end, and the
-/// answer to the last of these.
+/// The given time, shared out among the waits there are: questions before results are known, uploads at the end, and
+/// the answer to the last of these.
 #[derive(Debug, Clone, Copy)]
 pub struct Patience(Duration);
 
@@ -43,7 +43,7 @@ impl Patience {
         self.0 / 4
     }
 
-    /// Whether a place that held up a run for so long is not asked again by who waits.
+    /// Whether a place that delayed a run for so long is not asked again by who waits.
     pub(super) fn is_over(self, stalled: Duration) -> bool {
         !stalled.is_zero() && stalled >= self.of_a_question()
     }
@@ -54,7 +54,7 @@ thread_local! {
     static BESIDE: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
 }
 
-/// Says that this thread uploads beside the work.
+/// Marks this thread: it uploads beside the work.
 pub(super) fn beside() {
     BESIDE.set(true);
 }

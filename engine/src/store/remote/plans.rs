@@ -113,7 +113,7 @@ impl Store {
         for name in names {
             let object = object(&name);
             let found = link.ask(&|| whole(&*link.objects, &object, MOST));
-            // One that is not what its name says is none.
+            // One that is not what its name promises is none.
             let right = |bytes: &Vec<u8>| Hash::from_hex(&name).ok() == Some(stage::hash(bytes));
             let Some(bytes) = found.map_err(trouble)?.filter(right) else {
                 continue;

@@ -1,13 +1,13 @@
 //! A profile of AWS's own files: `~/.aws/credentials` and `~/.aws/config`.
 //!
-//! What the environment says counts first. Read are keys that are written down, the region and the endpoint.
+//! The environment counts first. Read are keys that are written down, the region and the endpoint.
 //! Other ways to sign on are refused by name: nothing of a file is in any text.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
-/// What a profile says.
+/// What is read of a profile.
 #[derive(Default, PartialEq, Eq)]
 pub(super) struct Profile {
     pub(super) keys: Option<Keys>,
@@ -24,7 +24,7 @@ pub(super) struct Keys {
 }
 
 /// Ways to sign on that are not ours, and what they are.
-const OTHERS: [(&str, &str); 7] = [
+const REFUSED: [(&str, &str); 7] = [
     ("role_arn", "assumes a role"),
     ("sso_session", "signs on by SSO"),
     ("sso_start_url", "signs on by SSO"),
@@ -37,8 +37,8 @@ const OTHERS: [(&str, &str); 7] = [
     ),
 ];
 
-/// Variables that tell who asks: then no keys of a file count.
-const SAID: [&str; 5] = [
+/// Variables that decide who asks: then no keys of a file count.
+const DECIDED: [&str; 5] = [
     "AWS_ACCESS_KEY_ID",
     "AWS_WEB_IDENTITY_TOKEN_FILE",
     "AWS_CONTAINER_CREDENTIALS_RELATIVE_URI",
@@ -79,7 +79,7 @@ pub(super) fn chosen(env: &dyn Fn(&str) -> Option<String>) -> Result<Profile, St
     }
     let (config, credentials) = (config.unwrap_or_default(), credentials.unwrap_or_default());
     let of = |key: &str| credentials.get(key).or(config.get(key)).cloned();
-    let answer = SAID.iter().any(|variable| env(variable).is_some());
+    let answer = DECIDED.iter().any(|variable| env(variable).is_some());
     Ok(Profile {
         keys: if answer { None } else { keys(name, &of)? },
         region: config.get("region").cloned(),
@@ -89,7 +89,7 @@ pub(super) fn chosen(env: &dyn Fn(&str) -> Option<String>) -> Result<Profile, St
 
 /// The keys that are written down.
 fn keys(name: &str, of: &dyn Fn(&str) -> Option<String>) -> Result<Option<Keys>, String> {
-    if let Some((key, what)) = OTHERS.iter().find(|(key, _)| of(key).is_some()) {
+    if let Some((key, what)) = REFUSED.iter().find(|(key, _)| of(key).is_some()) {
         return Err(format!(
             "the profile {name} of ~/.aws {what} ({key}), which this program does not do: put keys into the \
              environment, such as `aws configure export-credentials --profile {name} --format env` prints"
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_done_is_told_by_name_and_without_secrets() {
+    fn what_cannot_be_done_is_refused_by_name_and_without_secrets() {
         let lab = [("AWS_PROFILE", "lab")];
         for (credentials, config, part) in [
             ("", "", "neither ~/.aws/credentials nor ~/.aws/config"),

@@ -85,12 +85,12 @@ impl Store {
             Ok(Theirs::Stranger) => {
                 link.is_absent(*key.as_bytes());
                 link.known().lose(key.as_bytes());
-                link.say_stranger(&object("ac", key));
+                link.report_stranger(&object("ac", key));
                 false
             }
             Ok(Theirs::Corrupt) => {
                 link.is_absent(*key.as_bytes());
-                link.say(&format!(
+                link.report(&format!(
                     "{} is not what its name promises: it is not believed, and made again",
                     object("ac", key)
                 ));
@@ -99,7 +99,7 @@ impl Store {
             Err(Trouble::Down(_)) => false,
             Err(Trouble::Refused(why)) => {
                 link.is_absent(*key.as_bytes());
-                link.say(&why);
+                link.report(&why);
                 false
             }
         }
@@ -115,7 +115,7 @@ impl Store {
         let there = || self.blob_here(content).is_some();
         let kept = blob.is_none_or(|blob| there() || write(&self.place("cas", content), blob));
         let file = framed.record.file();
-        // A signature is of the bytes that came; where these cannot be written again, it says nothing any more.
+        // A signature is of the bytes that came; where these cannot be written again, it proves nothing any more.
         let signature = framed.signature.clone();
         let origin = Origin::Brought {
             from: link.name().to_owned(),
@@ -178,7 +178,7 @@ impl Store {
             }
             Ok(Some(_)) => {
                 link.queue().bad.insert(*content.as_bytes());
-                link.say(&format!(
+                link.report(&format!(
                     "{name} has other bytes than its name promises: it is not believed, and made again"
                 ));
                 false
@@ -189,7 +189,7 @@ impl Store {
             }
             Err(Trouble::Down(_)) => false,
             Err(Trouble::Refused(why)) => {
-                link.say(&why);
+                link.report(&why);
                 false
             }
         };

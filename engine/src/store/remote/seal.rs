@@ -1,4 +1,4 @@
-//! Whose records are believed: what a signature says, and who knows how to make and check one.
+//! Whose records are believed: what a signature covers, and who knows how to make and check one.
 
 use stage::Hash;
 
@@ -17,7 +17,7 @@ pub trait Seal: Send + Sync {
     fn believes(&self, message: &[u8], signature: &str) -> bool;
 }
 
-/// What is signed of a record: its key and its file, in which the hash of its result stands.
+/// What is signed of a record: its key and its file, in which the hash of its result is.
 pub(super) fn message(key: Hash, file: &[u8]) -> Vec<u8> {
     let head = b"stage shared record 1\n";
     [head, key.as_bytes().as_slice(), file].concat()

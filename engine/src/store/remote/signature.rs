@@ -64,7 +64,7 @@ impl Keys {
     ///
     /// # Errors
     ///
-    /// A file cannot be read, is none, or others may read what is secret; the signing key is expired or revoked.
+    /// A file cannot be read, is none, or other users may read what is secret; the signing key is expired or revoked.
     pub fn read(sign: Option<&Path>, trust: Option<&Path>) -> Result<Keys, NoKey> {
         let own = sign.map(signing).transpose()?;
         let until = own.as_ref().and_then(|(_, public)| public.until);

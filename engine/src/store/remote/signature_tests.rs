@@ -1,4 +1,4 @@
-//! Keys as files: who is believed, until when, and what is told of files that are none.
+//! Keys as files: who is believed, until when, and what is reported of files that are none.
 
 use super::super::seal::Seal;
 use super::*;
@@ -44,7 +44,7 @@ fn what_is_signed_is_believed_of_those_who_are_trusted_and_of_nobody_else() {
 }
 
 #[test]
-fn files_that_are_no_keys_are_told_and_none_is_written_over() {
+fn files_that_are_no_keys_are_refused_and_none_is_written_over() {
     let place = tempfile::tempdir().unwrap();
     let file = |name: &str| place.path().join(name);
     keygen(&file("a"), 365).unwrap();

@@ -57,7 +57,7 @@ pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trou
     let signature = link.sign(key, file.as_bytes()).filter(|_| may_sign);
     match (link.signs() && signature.is_none(), may_sign) {
         (true, true) => link.warn_expired(),
-        (true, false) => link.say_unsigned(),
+        (true, false) => link.report_unsigned(),
         (false, _) => {}
     }
     let object = framed::bytes(
@@ -69,7 +69,7 @@ pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trou
     publish(link, key, &record, (&object, signature.is_some()), honest)
 }
 
-/// Writes a blob that is not there yet, or not what its name says.
+/// Writes a blob that is not there yet, or not what its name promises.
 fn keep(link: &Link, content: Hash, blob: &Blob) -> Result<(), Trouble> {
     let name = object("cas", content);
     let bad = link.queue().bad.contains(content.as_bytes());
@@ -132,7 +132,7 @@ fn publish(
             }
             Theirs::Other => return Ok(Came::There),
             Theirs::Stranger => {
-                link.say_stranger(&name);
+                link.report_stranger(&name);
                 if !signed {
                     return Ok(Came::There);
                 }
@@ -140,7 +140,7 @@ fn publish(
                 return Ok(Came::Sent);
             }
             Theirs::Corrupt => {
-                link.say(&format!(
+                link.report(&format!(
                     "{name} was not what its name promises: written anew"
                 ));
                 link.ask(&|| link.objects.put(&name, bytes))?;

@@ -1,7 +1,7 @@
 //! Who uploads: some threads beside the work, for as long as a process uses a shared store.
 
 use super::joined;
-use super::link::{Link, MOST_HELD, Say};
+use super::link::{Link, MOST_QUEUED, Report};
 use super::objects::{Objects, Trouble};
 use super::patience::{Patience, beside, threads};
 use super::seal::Seal;
@@ -67,13 +67,13 @@ impl Sharing {
     ///
     /// # Errors
     ///
-    /// The store here cannot be opened, or the place refuses. One that does not answer is told, and asked
+    /// The store here cannot be opened, or the place refuses. One that does not answer is reported, and asked
     /// again later.
     pub fn begin(
         root: &Path,
         objects: Box<dyn Objects>,
         manner: Manner,
-        say: Say,
+        report: Report,
     ) -> Result<Sharing, NoSharing> {
         let Manner {
             read_only,
@@ -82,7 +82,7 @@ impl Sharing {
         } = manner;
         let name = objects.name().to_owned();
         Store::open(root)?;
-        let link = Link::new(root, objects, read_only, seal, patience, say)
+        let link = Link::new(root, objects, read_only, seal, patience, report)
             .map_err(|trouble| NoSharing::There(name, trouble))?;
         let link = Arc::new(link);
         joined::join(root, &link);
@@ -110,7 +110,7 @@ impl Sharing {
         self.link.name()
     }
 
-    /// Waits until all is uploaded, for as long as something is within `patience`, what the place held up before counted
+    /// Waits until all is uploaded, for as long as something is within `patience`, delays of the place before counted
     /// in; then lets go.
     pub fn finish(mut self, patience: Duration) -> Left {
         let begun = Instant::now();
@@ -120,7 +120,7 @@ impl Sharing {
         };
         let mut queue = self.link.queue();
         let busy = |queue: &super::link::Queue| {
-            queue.stopped.is_none() && (queue.more || queue.running > 0 || !queue.held.is_empty())
+            queue.stopped.is_none() && (queue.more || queue.running > 0 || !queue.queued.is_empty())
         };
         while !self.threads.is_empty() && busy(&queue) {
             let since = queue.since.map_or(begun, |since| since.max(begun));
@@ -214,7 +214,7 @@ fn next(store: &Store, link: &Link, wait: bool) -> Option<Hash> {
                 return Some(Hash::from_bytes(key));
             }
             if queue.more && queue.running == 0 {
-                let held = queue.held.clone();
+                let queued = queue.queued.clone();
                 // Listed without the lock: whoever publishes does not wait for it.
                 queue.more = false;
                 // Whoever waits for the end waits for this, too.
@@ -225,15 +225,15 @@ fn next(store: &Store, link: &Link, wait: bool) -> Option<Hash> {
                 let made = waiting.filter(|key| waiting::is_made(store, **key));
                 let mut fresh = made
                     .map(|key| *key.as_bytes())
-                    .filter(|key| !held.contains(key));
-                let some: Vec<[u8; 32]> = fresh.by_ref().take(MOST_HELD).collect();
+                    .filter(|key| !queued.contains(key));
+                let some: Vec<[u8; 32]> = fresh.by_ref().take(MOST_QUEUED).collect();
                 let more = fresh.next().is_some();
                 queue = link.queue();
                 if let Err(why) = &listed {
                     queue.stopped.get_or_insert(why.to_string());
                 }
                 for key in some {
-                    if queue.held.insert(key) {
+                    if queue.queued.insert(key) {
                         queue.keys.push_back(key);
                     }
                 }
@@ -263,12 +263,12 @@ fn noted(store: &Store, link: &Link, key: Hash, came: Result<Came, Trouble>) {
     queue.running -= 1;
     match came {
         Ok(came) => {
-            queue.held.remove(key.as_bytes());
+            queue.queued.remove(key.as_bytes());
             queue.since = Some(clock::instant());
             queue.sent += usize::from(came == Came::Sent);
             drop(queue);
             if let Came::Differs(theirs) = &came {
-                link.say(&format!(
+                link.report(&format!(
                     "not deterministic: the result {} was made elsewhere as {theirs}, here as something else; the first counts there",
                     &key.to_hex()[..12]
                 ));
@@ -281,15 +281,15 @@ fn noted(store: &Store, link: &Link, key: Hash, came: Result<Came, Trouble>) {
                 waiting::remove(store, link, key);
             }
         }
-        // Not known of yet to the user, it is said by the link; tried again when it answers.
+        // Not known of yet to the user, it is reported by the link; tried again when it answers.
         Err(Trouble::Down(_)) => queue.keys.push_back(*key.as_bytes()),
         Err(Trouble::Refused(why)) => {
-            queue.held.remove(key.as_bytes());
+            queue.queued.remove(key.as_bytes());
             let first = queue.stopped.is_none();
             queue.stopped.get_or_insert(why.clone());
             drop(queue);
             if first {
-                link.say(&format!("nothing more is uploaded: {why}"));
+                link.report(&format!("nothing more is uploaded: {why}"));
             }
         }
     }

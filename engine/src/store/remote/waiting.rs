@@ -1,7 +1,7 @@
 //! What waits to be uploaded, on disk: `waiting/KEY-TAG` in the store, written before the record itself,
 //! removed when the shared store has it. So whatever is killed or cut off, the next one goes on.
 
-use super::link::{Link, MOST_HELD};
+use super::link::{Link, MOST_QUEUED};
 use crate::own;
 use crate::store::{Record, Store, StoreError};
 use stage::Hash;
@@ -91,7 +91,7 @@ impl Store {
         if link.known().has(key.as_bytes()) {
             return false;
         }
-        // A disk that is full says so when the result itself is written.
+        // A full disk is reported when the result itself is written.
         let note = format!("{FOLDER}/{}", name(key.as_bytes(), &link.tag));
         self.write(&note, b"").is_ok()
     }
@@ -100,8 +100,8 @@ impl Store {
     pub(in crate::store) fn offer(&self, key: Hash) {
         let Some(link) = &self.link else { return };
         let mut queue = link.queue();
-        match queue.keys.len() < MOST_HELD {
-            true if queue.held.insert(*key.as_bytes()) => queue.keys.push_back(*key.as_bytes()),
+        match queue.keys.len() < MOST_QUEUED {
+            true if queue.queued.insert(*key.as_bytes()) => queue.keys.push_back(*key.as_bytes()),
             true => {}
             false => queue.more = true,
         }
