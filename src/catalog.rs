@@ -67,7 +67,7 @@ const fn taken(stage: &'static dyn AnyStage, files: &'static [&'static str]) -> 
 /// The product: its stages, and what is to be known of what flows.
 pub static CATALOG: Catalog = Catalog {
     program: concat!("tailor ", env!("CARGO_PKG_VERSION")),
-    rooms: ROOMS,
+    stages: ROOMS,
     kinds: KINDS,
     importers: IMPORTERS,
     pipelines: &[

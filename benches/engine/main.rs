@@ -75,7 +75,7 @@ impl Stage for Copy {
 
 static CATALOG: Catalog = Catalog {
     program: "bench",
-    rooms: &[&[&erase::<Load>(), &erase::<Copy>()]],
+    stages: &[&[&erase::<Load>(), &erase::<Copy>()]],
     pipelines: &[],
     kinds: &[],
     importers: &[],

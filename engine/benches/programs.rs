@@ -6,16 +6,16 @@
 
 // The tests use more of it.
 #[allow(dead_code)]
-#[path = "../tests/programs/trade.rs"]
-mod trade;
+#[path = "../tests/programs/application.rs"]
+mod application;
 
+use application::{CATALOG, Nobody, Place};
 use engine::foreign::{Sandbox, sandbox};
 use engine::recipe::{Overrides, Pipeline};
 use engine::sweep::{self, Points, Sweeping, axes};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
-use trade::{CATALOG, Nobody, Place};
 
 const TIMES: usize = 60;
 const POINTS: usize = 200;
@@ -76,7 +76,7 @@ fn single(place: &Place) -> [[f64; 2]; 3] {
         let graph = pipeline.graph(&overrides).unwrap();
         place.allow(&graph);
         let outcome = place.run(&graph, &Nobody, &false.into()).unwrap();
-        assert!(trade::is_made(&outcome, &graph, "x"));
+        assert!(application::is_made(&outcome, &graph, "x"));
         start.elapsed()
     };
     let mut times = [vec![], vec![], vec![]];

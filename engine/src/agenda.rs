@@ -92,8 +92,8 @@ impl<'a> Agenda<'a> {
         self.ready.pop().map(|Reverse(node)| node)
     }
 
-    /// Whether a node's result must be there: it is wanted, or somebody reads it now. Of the others
-    /// it is enough that their content is known.
+    /// Whether a node's result must be there: it is wanted, or somebody reads it now. Of any other
+    /// node it is enough that its content is known.
     pub(crate) fn there(&self, node: usize) -> bool {
         self.wanted[node] || self.again.contains_key(&node)
     }

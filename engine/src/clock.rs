@@ -55,7 +55,7 @@ pub(crate) mod simulated {
     use std::sync::OnceLock;
     use std::time::{Duration, Instant};
 
-    /// What a machine's clocks say.
+    /// The time on a machine's clocks.
     #[derive(Debug, Clone, Copy)]
     pub(crate) struct Time {
         /// Nanoseconds since 1970, right or not.

@@ -1,7 +1,7 @@
 //! Results into a folder of the user's.
 //!
-//! A delivery says in `run.json` what it wrote, with hashes. So the next one into the same folder
-//! can tell what is left of it, and removes that, if asked to, where nobody has changed it since.
+//! A delivery lists in `run.json` what it wrote, with hashes. So the next one into the same folder
+//! finds what is left of it, and removes that, if asked to, where nobody has changed it since.
 //! Two processes deliver one after the other. No file is ever half-written, and none is written or
 //! removed through a link.
 
@@ -19,12 +19,12 @@ pub use withdraw::{Withdrawn, of, withdraw};
 /// Why results cannot be delivered.
 #[derive(Debug, thiserror::Error)]
 pub enum DeliveryError {
-    /// The disk says no.
+    /// The disk refuses.
     #[error("{}: {why}", path.display())]
     Disk {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         why: std::io::Error,
     },
     /// A folder that is a link.
@@ -51,7 +51,7 @@ pub struct Delivery {
     now: BTreeMap<String, String>,
     tidied: BTreeSet<PathBuf>,
     /// Locked as long as this lives.
-    _held: File,
+    _locked: File,
 }
 
 /// What a delivery did not write and an earlier one did.
@@ -155,7 +155,7 @@ pub fn check(folder: &Path) -> Result<(), DeliveryError> {
     Ok(())
 }
 
-/// What `run.json` of a folder says.
+/// The `run.json` of a folder.
 fn answer(folder: &Path) -> Option<Map<String, Value>> {
     let at = nofollow::folder(folder, &[]).ok()?;
     serde_json::from_slice(&nofollow::read(&at, RUN)?).ok()
@@ -178,12 +178,12 @@ impl Delivery {
     /// It cannot be made, or holds what is not ours.
     pub fn open(folder: &Path, of: &str) -> Result<Delivery, DeliveryError> {
         make(folder)?;
-        let held = File::open(folder).map_err(|why| DeliveryError::Disk {
+        let locked = File::open(folder).map_err(|why| DeliveryError::Disk {
             path: folder.into(),
             why,
         })?;
-        // On a disk that knows no locks the files of two may stand side by side, each whole.
-        let _ = held.lock();
+        // On a disk that knows no locks the files of two deliveries may be mixed, each file whole.
+        let _ = locked.lock();
         let run = answer(folder).unwrap_or_default();
         let names = |key: &str| run.get(key).and_then(Value::as_object).cloned();
         let before = ["left", "files"].map(|key| names(key).unwrap_or_default());
@@ -194,11 +194,11 @@ impl Delivery {
             before: before.into_iter().flatten().filter_map(text).collect(),
             now: BTreeMap::new(),
             tidied: BTreeSet::new(),
-            _held: held,
+            _locked: locked,
         })
     }
 
-    /// Says whose the folder is before anything else is in it.
+    /// Writes whose the folder is before anything else is in it.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Where two runs part ways: what was said otherwise, and the first result that came out otherwise.
+//! Where two runs part ways: which settings differ, and the first result that differs.
 
 use crate::provenance::PackedProvenance;
 use serde::Deserialize;
@@ -47,7 +47,7 @@ pub struct Change {
     pub new: String,
 }
 
-/// What is different about a run, held against the first.
+/// What is different about a run, compared with the first.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Difference {
     /// Stages and params, in the order of the walk.
@@ -86,9 +86,9 @@ pub fn differ(a: &[NodeRun], b: &[NodeRun]) -> Difference {
     d
 }
 
-/// Lines of the provenance that differ, without the contents of ports: those follow from others.
+/// Lines of the provenance that differ, without the contents of ports: those follow from other nodes.
 fn changes(a: &NodeRun, b: &NodeRun) -> Vec<Change> {
-    // Whether a port is wired is said; what flows through it is not.
+    // Whether a port is wired is compared; what flows through it is not.
     fn line<'a>((what, value): (&'a str, &'a str)) -> (&'a str, &'a str) {
         match what.starts_with("from ") && value != "nothing" {
             true => (what, "something"),

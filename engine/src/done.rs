@@ -45,7 +45,7 @@ pub struct Done {
     pub key: Option<Hash>,
     /// The content of its result.
     pub content: Option<Hash>,
-    /// What the key was made of; may be empty for what was found ([`crate::key::provenance`] tells it).
+    /// What the key was made of; may be empty for what was found ([`crate::key::provenance`] gives it).
     pub provenance: Vec<(String, String)>,
     /// How long it took: now, or when it was made. \[s\]
     pub seconds: f64,

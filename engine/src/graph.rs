@@ -42,17 +42,17 @@ pub struct InputDecl {
     pub files: Vec<String>,
 }
 
-/// What stands for a node where shared params are changed: `--set params.cell_mm=2`.
+/// The word in place of a node where shared params are changed: `--set params.cell_mm=2`.
 pub const SHARED: &str = "params";
 
-/// A pipeline that can run. Made by binding a recipe; nodes stand in topological order.
+/// A pipeline that can run. Made by binding a recipe; nodes are in topological order.
 #[derive(Clone)]
 pub struct Graph {
     /// The nodes, each after all that it reads.
     pub nodes: Vec<Bound>,
     /// The user's files.
     pub inputs: Vec<InputDecl>,
-    /// The nodes that are wanted when nobody says otherwise.
+    /// The nodes that are wanted by default.
     pub goal: Vec<usize>,
     /// What the pipeline is for.
     pub about: String,

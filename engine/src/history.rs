@@ -1,5 +1,5 @@
 //! The records of runs: one file a run, with provenance, in lines; a run that found all that an
-//! earlier one had is a line that says so. `past.rs` reads them.
+//! earlier one had is a line that names that run. `past.rs` reads them.
 
 use crate::done::{Done, Status};
 use crate::graph::{Bound, Graph, Source};

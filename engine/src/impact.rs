@@ -12,7 +12,7 @@ pub struct Impact {
     pub param: &'static str,
     /// What it is now.
     pub value: Value,
-    /// What it is when nothing is said.
+    /// What it is by default.
     pub default: Value,
     /// Every node that another value may change, its own first, in the order of the walk.
     pub reaches: Vec<usize>,
@@ -40,7 +40,7 @@ pub fn impacts(graph: &Graph, wanted: &[usize]) -> Vec<Impact> {
         if !reaches.contains(&node) {
             continue;
         }
-        // A program's params have no defaults but what the node says.
+        // A program's params have no defaults but what the node gives.
         let of_program = bound
             .params
             .values

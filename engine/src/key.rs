@@ -15,7 +15,7 @@ pub trait Ledger {
 
 /// Writes down what the node does, without its inputs: stage, format of the output, versions of the
 /// foreign programs that it runs, params.
-pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
+pub fn describe_recipe(node: &Bound, ledger: &mut impl Ledger) {
     let (mut what, mut value) = (String::from("with "), String::with_capacity(64));
     let stage = node.stage;
     let _ = write!(value, "{} v{}", stage.name(), stage.version());
@@ -42,8 +42,8 @@ pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
 }
 
 /// Writes down all that the node's result depends on. `inputs` has one entry a port.
-pub fn tell(node: &Bound, inputs: &[Option<Hash>], ledger: &mut impl Ledger) {
-    tell_recipe(node, ledger);
+pub fn describe(node: &Bound, inputs: &[Option<Hash>], ledger: &mut impl Ledger) {
+    describe_recipe(node, ledger);
     let mut what = String::from("from ");
     for (port, content) in node.ports.iter().zip(inputs) {
         what.truncate("from ".len());
@@ -104,13 +104,13 @@ pub fn of(lines: &[(String, String)]) -> Hash {
 /// The key of a node's result.
 pub fn key(node: &Bound, inputs: &[Option<Hash>]) -> Hash {
     let mut digest = Digest::default();
-    tell(node, inputs, &mut digest);
+    describe(node, inputs, &mut digest);
     digest.finish()
 }
 
 /// The provenance of a node's result.
 pub fn provenance(node: &Bound, inputs: &[Option<Hash>]) -> Provenance {
     let mut provenance = Provenance::default();
-    tell(node, inputs, &mut provenance);
+    describe(node, inputs, &mut provenance);
     provenance
 }

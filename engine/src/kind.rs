@@ -1,4 +1,4 @@
-//! A trade's stages and kinds of artifacts: all that the engine knows of what flows.
+//! An application's stages and kinds of artifacts: all that the engine knows of what flows.
 
 use stage::{AnyArtifact, AnyStage, Metric};
 use std::error::Error;
@@ -7,13 +7,13 @@ use std::error::Error;
 pub struct Catalog {
     /// The program with its version, for records of runs: `words 0.2.0`.
     pub program: &'static str,
-    /// The stages, room by room.
-    pub rooms: &'static [&'static [&'static dyn AnyStage]],
-    /// The kinds of which there is something to be known; others may flow as well.
+    /// The stages, in several lists.
+    pub stages: &'static [&'static [&'static dyn AnyStage]],
+    /// The kinds of which there is something to be known; inherited may flow as well.
     pub kinds: &'static [Kind],
     /// How what programs made (`stage = "exec"`) is read, a kind each.
     pub importers: &'static [Importer],
-    /// Pipelines that the program brings along: name and text. Their names stand for a file.
+    /// Pipelines that the program brings along: name and text. Every verb takes their names in place of a file.
     pub pipelines: &'static [(&'static str, &'static str)],
 }
 
@@ -47,24 +47,24 @@ pub struct Kind {
     pub files: fn(AnyArtifact, &str, Option<AnyArtifact>) -> Result<NamedFiles, WriteError>,
     /// What its file in the usual format ends with, where that is not the format's name.
     pub extension: fn(&AnyArtifact) -> Option<&'static str>,
-    /// Numbers that an artifact tells of itself, beside the metrics that its stage gave.
+    /// Numbers of an artifact itself, beside the metrics that its stage gave.
     pub facts: fn(AnyArtifact) -> Vec<Metric>,
-    /// The names of all that `facts` may tell, `*` for any text; given the entries of the pipeline's
+    /// The names of all that `facts` may give, `*` for any text; given the entries of the pipeline's
     /// sections, which may be among them.
     pub names: fn(&[String]) -> Vec<String>,
 }
 
 /// The stages or kinds of another catalog, and one's own before them, for a catalog that adds to it.
-/// `N` is one more than `others` has.
-pub const fn with_own<T: Copy, const N: usize>(own: T, others: &[T]) -> [T; N] {
+/// `N` is one more than `inherited` has.
+pub const fn with_own<T: Copy, const N: usize>(own: T, inherited: &[T]) -> [T; N] {
     assert!(
-        N == others.len() + 1,
+        N == inherited.len() + 1,
         "N is one more than there are already"
     );
     let mut all = [own; N];
     let mut i = 0;
-    while i < others.len() {
-        all[i + 1] = others[i];
+    while i < inherited.len() {
+        all[i + 1] = inherited[i];
         i += 1;
     }
     all
@@ -73,7 +73,7 @@ pub const fn with_own<T: Copy, const N: usize>(own: T, others: &[T]) -> [T; N] {
 impl Catalog {
     /// Every stage.
     pub fn stages(&self) -> impl Iterator<Item = &'static dyn AnyStage> + use<> {
-        self.rooms.iter().copied().flatten().copied()
+        self.stages.iter().copied().flatten().copied()
     }
 
     /// The stage of a name.
@@ -97,13 +97,13 @@ impl Catalog {
         self.importers.iter().find(|i| i.stage.yields() == kind)
     }
 
-    /// What an artifact tells of itself.
+    /// The numbers of an artifact itself.
     pub(crate) fn facts(&self, artifact: AnyArtifact) -> Vec<Metric> {
         let kind = self.kind(artifact.kind());
         kind.map_or(vec![], |kind| (kind.facts)(artifact))
     }
 
-    /// The names of all that artifacts of a kind may tell of themselves.
+    /// The names of all numbers that artifacts of a kind may have.
     pub(crate) fn names(&self, kind: &str, declared: &[String]) -> Vec<String> {
         self.kind(kind)
             .map_or(vec![], |kind| (kind.names)(declared))

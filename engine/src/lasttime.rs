@@ -25,7 +25,7 @@ struct Read {
     runs: Vec<Index>,
 }
 
-/// Where each node with a result stands in the record of a run. \[bytes\]
+/// Where each node with a result is in the record of a run. \[bytes\]
 struct Index {
     id: String,
     file: File,
@@ -72,14 +72,14 @@ impl History {
         }
     }
 
-    /// All runs, the newest last; those of the same after the others.
+    /// All runs, the newest last; those of the same pipeline after the rest.
     fn order(&self) -> Vec<String> {
         let same = |id: &String| past::head(&self.store, id).is_some_and(|h| h.of == self.of);
-        let (same, mut others): (Vec<String>, Vec<String>) =
+        let (same, mut rest): (Vec<String>, Vec<String>) =
             past::ids(&self.store).into_iter().partition(same);
-        others.reverse();
-        others.extend(same.into_iter().rev());
-        others
+        rest.reverse();
+        rest.extend(same.into_iter().rev());
+        rest
     }
 
     /// Reads one run further back.

@@ -1,5 +1,5 @@
 //! Stage graphs with cached artifacts: how a pipeline is read, checked, planned, run, remembered and
-//! compared. What flows and what is done with it is a trade's: see [`Catalog`].
+//! compared. What flows and what is done with it is an application's: see [`Catalog`].
 //!
 //! A pipeline has four forms, each a type, and only the next function makes the next form:
 //! [`recipe::Recipe`] (as written) → [`graph::Graph`] (means something) → [`plan`] (found, stale
@@ -37,7 +37,7 @@
 //! # impl Watch for Nobody {}
 //! static CATALOG: Catalog = Catalog {
 //!     program: "toys 1",
-//!     rooms: &[&[&erase::<Square>()]],
+//!     stages: &[&[&erase::<Square>()]],
 //!     pipelines: &[],
 //!     kinds: &[],
 //!     importers: &[],
@@ -96,6 +96,7 @@ pub mod kind;
 pub mod lasttime;
 mod memory;
 mod meter;
+mod numbers;
 pub mod out;
 mod outcome;
 mod own;
@@ -121,7 +122,6 @@ pub mod strands;
 pub mod study;
 pub mod sweep;
 mod system;
-pub mod tells;
 pub mod text;
 pub mod verify;
 pub mod walk;
@@ -132,6 +132,6 @@ pub use meter::Spent;
 pub use outcome::{Outcome, ResultError};
 pub use own::whole;
 pub use session::{
-    EngineError, Options, inputs, run, run_in, run_unrecorded, runs, said_inputs, threads,
+    EngineError, Options, given_inputs, inputs, run, run_in, run_unrecorded, runs, threads,
 };
 pub use system::{is_alive, private_file};

@@ -4,7 +4,7 @@ use crate::system::free_memory;
 use std::sync::{Condvar, Mutex, OnceLock};
 use std::time::Duration;
 
-/// What stages say they need, against what was free before the first that said so.
+/// What stages declare that they need, against what was free before the first of them.
 #[derive(Default)]
 pub(crate) struct Memory {
     free: OnceLock<u64>,
@@ -12,7 +12,7 @@ pub(crate) struct Memory {
     bell: Condvar,
 }
 
-/// Held while a stage runs. \[bytes\]
+/// Taken while a stage runs. \[bytes\]
 pub(crate) struct Share<'a>(&'a Memory, u64);
 
 impl Drop for Share<'_> {
@@ -26,7 +26,7 @@ impl Drop for Share<'_> {
 const ASK: Duration = Duration::from_millis(50);
 
 impl Memory {
-    /// Takes so many bytes; waits while others have what is wanted. Who wants more than there is
+    /// Takes so many bytes; waits while other stages have what is wanted. Who wants more than there is
     /// runs alone. Whoever asks to stop need not wait.
     pub(crate) fn take(&self, bytes: u64, stop: &dyn Fn() -> bool) -> Share<'_> {
         let mut taken = self.taken.lock().expect("bug: poisoned");

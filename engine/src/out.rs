@@ -39,7 +39,7 @@ pub fn extension(catalog: &Catalog, artifact: &AnyArtifact) -> &'static str {
     own.unwrap_or(formats(catalog, artifact.kind())[0])
 }
 
-/// Files of an artifact in a format, the usual one if none is said. `raw` gives the bytes of the
+/// Files of an artifact in a format, the usual one by default. `raw` gives the bytes of the
 /// artifact's own file.
 ///
 /// # Errors

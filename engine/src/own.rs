@@ -47,7 +47,7 @@ const FILES: [&str; 7] = [
     "noted",
 ];
 
-/// What others put into any folder that is empty to people: systems, version control, backups.
+/// What other programs put into any folder that is empty to people: systems, version control, backups.
 const HARMLESS: [&str; 4] = ["lost+found", ".gitignore", ".gitkeep", "CACHEDIR.TAG"];
 
 fn is_hex(text: &str) -> bool {

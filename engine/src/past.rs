@@ -2,7 +2,7 @@
 //!
 //! A record is lines of JSON: what the run was, its files, then one line a node. So what is asked
 //! is read, and not the whole. A run that found all that an earlier one had is the first line only.
-//! Runs have numbers of their own: no clock says which was the last.
+//! Runs have numbers of their own: no clock decides which was the last.
 
 mod read;
 mod record;
@@ -103,7 +103,7 @@ pub fn nodes(store: &Path, id: &str) -> Option<impl Iterator<Item = NodeLine> + 
     }))
 }
 
-/// As [`nodes`], what somebody asks of them; and whether all were found, whatever their lines say.
+/// As [`nodes`], what somebody asks of them; and whether all were found, whatever status their lines have.
 pub fn nodes_as<T: DeserializeOwned>(
     store: &Path,
     id: &str,
@@ -118,7 +118,7 @@ pub fn nodes_as<T: DeserializeOwned>(
     Some((found, old.into_iter().chain(lines.skip(1).filter_map(node))))
 }
 
-/// A node of a run, found without reading the others.
+/// A node of a run, found without reading the rest.
 pub fn node(store: &Path, id: &str, name: &str) -> Option<NodeLine> {
     let head = head(store, id)?;
     let found = head.same_as.is_some();

@@ -118,7 +118,7 @@ fn read_again(graph: &Graph, absent: &[bool], plan: &mut [Option<Planned>]) {
     }
 }
 
-/// What `why` says of a result that is not there any more.
+/// What `why` reports of a result that is not there any more.
 const GONE: [(&str, &str, &str); 1] = [("result", "was made", "gone from the cache")];
 
 /// The lines of a provenance that differ from those of an earlier entry: what, old, new.

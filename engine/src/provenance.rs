@@ -1,4 +1,4 @@
-//! The lines of what a result depends on, in one piece: two runs of many nodes are held in memory at once.
+//! The lines of what a result depends on, in one piece: two runs of many nodes are in memory at once.
 
 use serde::{Deserialize, Deserializer};
 

@@ -1,4 +1,4 @@
-//! The reference of a stage, generated from what the stage itself says.
+//! The reference of a stage, generated from the stage's own declaration.
 
 use serde_json::{Value, json};
 use stage::{AnyStage, ParamSpec};
@@ -37,7 +37,7 @@ pub fn text(stage: &dyn AnyStage) -> String {
     text + "\n"
 }
 
-/// One param: name and default (or that it must be said), what fits, what it does.
+/// One param: name and default (or that it is required), what fits, what it does.
 fn line(param: &ParamSpec) -> String {
     let range = param
         .range

@@ -145,7 +145,7 @@ pub(crate) fn run_one(
         Claim::Busy => return Step::Busy,
         Claim::Mine(lease) => lease,
     };
-    // Who held the lease before may have made it; and it may equal what another node made.
+    // The process that had the lease before may have made it; and it may equal what another node made.
     if let Some(done) = find(job, node, inputs, there, around.store) {
         return Step::Done(Box::new(done), None);
     }
@@ -179,7 +179,7 @@ fn make(
 ) -> (Done, Option<AnyArtifact>) {
     let failed = |why: Message| Done::failed(key, provenance.clone(), why);
     let mut recipe = Digest::default();
-    key::tell_recipe(bound, &mut recipe);
+    key::describe_recipe(bound, &mut recipe);
     let (metrics, warnings) = Default::default();
     let host = Hosting {
         around,

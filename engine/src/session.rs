@@ -71,7 +71,7 @@ pub fn inputs(
     answer: &[(String, PathBuf)],
     store: &Store,
 ) -> Result<Vec<Files>, EngineError> {
-    let found = said_inputs(graph, answer, store)?;
+    let found = given_inputs(graph, answer, store)?;
     let whole = |(files, input): (Option<Files>, &InputDecl)| {
         let about = match input.about.trim_end_matches('.') {
             "" => String::new(),
@@ -82,12 +82,12 @@ pub fn inputs(
     found.into_iter().zip(&graph.inputs).map(whole).collect()
 }
 
-/// As [`inputs`], `None` for those for which no folder is said.
+/// As [`inputs`], `None` for those for which no folder is given.
 ///
 /// # Errors
 ///
 /// An input is unknown, or cannot be read.
-pub fn said_inputs(
+pub fn given_inputs(
     graph: &Graph,
     answer: &[(String, PathBuf)],
     store: &Store,

@@ -20,7 +20,7 @@ pub enum SourceError {
     Unreadable {
         /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         why: std::io::Error,
     },
     /// A file that would be left out, or named in a way that misleads.
@@ -45,7 +45,7 @@ pub enum SourceError {
 #[derive(Debug, Default)]
 pub struct Memo {
     files: BTreeMap<PathBuf, Stamp>,
-    /// Folders as they were said, and where they are.
+    /// Folders as they were given, and where they are.
     roots: BTreeMap<PathBuf, PathBuf>,
     fresh: bool,
 }

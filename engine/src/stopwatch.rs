@@ -36,7 +36,7 @@ impl Drop for Running {
     }
 }
 
-/// Runs it and says how long it took, without what was timed inside of it on the same thread.
+/// Runs it and returns how long it took, without what was timed inside of it on the same thread.
 pub(crate) fn timed<T>(run: impl FnOnce() -> T) -> (T, Duration) {
     let running = Running::begin();
     let result = run();

@@ -46,7 +46,7 @@ pub fn table() -> Table {
     table
 }
 
-/// Numbers stand to the right.
+/// Aligns numbers to the right.
 pub fn to_the_right(table: &mut Table, column: usize) {
     if let Some(column) = table.column_mut(column) {
         column.set_cell_alignment(CellAlignment::Right);

@@ -61,7 +61,7 @@ pub fn verify(
         };
         let inputs = node.from.iter().map(input).collect();
         let mut recipe = Digest::default();
-        key::tell_recipe(node, &mut recipe);
+        key::describe_recipe(node, &mut recipe);
         let recipe = recipe.finish();
         let ctx_host = Fresh(cancel);
         let ctx = Ctx::new(&ctx_host, recipe, recipe);

@@ -11,16 +11,16 @@ use std::time::Duration;
 /// How long until it is asked again whether another process has made a result.
 const RETRY: Duration = Duration::from_millis(15);
 
-/// Who is told of each node by its place, as it is done.
+/// Gets each node by its place, as it is done.
 pub(crate) type Reported<'a> = dyn Fn(usize, &Done) + Sync + 'a;
 
 /// Walks: one entry a node, `None` for those that were not wanted.
 pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
-    walk_told(job, around, &|_, _| {})
+    walk_reported(job, around, &|_, _| {})
 }
 
-/// As [`walk`]. A node that is made again since its result went away is told twice.
-pub(crate) fn walk_told(
+/// As [`walk`], with each node reported; one that is made again since its result went away is reported twice.
+pub(crate) fn walk_reported(
     job: &Job<'_>,
     around: &Surroundings<'_>,
     reported: &Reported<'_>,
@@ -119,7 +119,7 @@ impl Drop for Awake<'_, '_> {
     }
 }
 
-/// One worker: takes a ready node, runs it, makes others ready.
+/// One worker: takes a ready node, runs it, makes ready what waited for it.
 fn work(
     job: &Job<'_>,
     (around, reported): (&Surroundings<'_>, &Reported<'_>),
@@ -128,52 +128,52 @@ fn work(
 ) {
     let lock = || shared.lock().expect("bug: a worker panicked");
     let name = |node: usize| job.graph.nodes[node].name.as_str();
-    let tell = |node: usize, done: &Done| {
+    let report = |node: usize, done: &Done| {
         around.watch.done(name(node), done);
         reported(node, done);
     };
     let _awake = Awake(shared, bell);
-    let mut held = lock();
+    let mut agenda = lock();
     loop {
-        held.stop |= around.cancelled();
-        if held.stop || held.idle() {
+        agenda.stop |= around.cancelled();
+        if agenda.stop || agenda.idle() {
             bell.notify_all();
             return;
         }
-        let Some(node) = held.next() else {
-            held = if held.has_put_off() {
-                let waited = bell.wait_timeout(held, RETRY);
-                let (mut held, waited) = waited.expect("bug: a worker panicked");
+        let Some(node) = agenda.next() else {
+            agenda = if agenda.has_put_off() {
+                let waited = bell.wait_timeout(agenda, RETRY);
+                let (mut agenda, waited) = waited.expect("bug: a worker panicked");
                 if waited.timed_out() {
-                    held.retry();
+                    agenda.retry();
                 }
-                held
+                agenda
             } else {
-                bell.wait(held).expect("bug: a worker panicked")
+                bell.wait(agenda).expect("bug: a worker panicked")
             };
             continue;
         };
-        held.running += 1;
-        let inputs = held.contents(node).expect("bug: ready, but it waits");
-        let (at_hand, there) = (held.at_hand(node), held.there(node));
-        drop(held);
+        agenda.running += 1;
+        let inputs = agenda.contents(node).expect("bug: ready, but it waits");
+        let (at_hand, there) = (agenda.at_hand(node), agenda.there(node));
+        drop(agenda);
         let step = run_one::run_one(job, node, &inputs, at_hand, there, around);
         if let Step::Done(done, _) = &step {
-            tell(node, done);
+            report(node, done);
         }
-        held = lock();
-        held.running -= 1;
+        agenda = lock();
+        agenda.running -= 1;
         let skipped = match step {
             Step::Done(done, artifact) => {
-                held.stop |= matches!(done.status, Status::Failed(_)) && !job.keep_going;
-                held.finish(node, *done, artifact)
+                agenda.stop |= matches!(done.status, Status::Failed(_)) && !job.keep_going;
+                agenda.finish(node, *done, artifact)
             }
             Step::Busy => {
                 around.watch.waits(name(node));
-                held.put_off(node);
+                agenda.put_off(node);
                 vec![]
             }
-            Step::Gone(gone) if held.gone(node, &gone) => vec![],
+            Step::Gone(gone) if agenda.gone(node, &gone) => vec![],
             Step::Gone(gone) => {
                 let from = name(gone[0]);
                 let why = format!(
@@ -181,16 +181,16 @@ fn work(
                      give it space, or another place with --cache"
                 );
                 let done = Done::nothing(Status::Failed(why.into()));
-                tell(node, &done);
-                held.stop |= !job.keep_going;
-                held.finish(node, done, None)
+                report(node, &done);
+                agenda.stop |= !job.keep_going;
+                agenda.finish(node, done, None)
             }
         };
         for node in skipped {
-            let done = held.done[node]
+            let done = agenda.done[node]
                 .as_ref()
                 .expect("bug: skipped, but not done");
-            tell(node, done);
+            report(node, done);
         }
         bell.notify_all();
     }

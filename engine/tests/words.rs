@@ -1,10 +1,11 @@
-//! The example of another trade: its pipeline, its parts, a variant, a sweep, its command line.
+//! The example of another application: its pipeline, its parts, a variant, a sweep, its command line.
 
+#[path = "../examples/words/application.rs"]
+mod application;
 #[path = "../examples/words/nouns.rs"]
 mod nouns;
-#[path = "../examples/words/trade.rs"]
-mod trade;
 
+use application::{CATALOG, WORDS};
 use engine::recipe::{Overrides, open};
 use engine::walk::Watch;
 use engine::{Options, Outcome};
@@ -12,7 +13,6 @@ use nouns::{Counts, Text};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
-use trade::{CATALOG, WORDS};
 
 struct Nobody;
 impl Watch for Nobody {}
@@ -138,7 +138,7 @@ fn ten_lines_have_the_whole_command_line() {
         rows[1].starts_with("1,19,11,") && rows[3].starts_with("5,5,5,"),
         "{table}"
     );
-    // What stands in no catalog is reported, with what was meant.
+    // What is in no catalog is reported, with what was meant.
     assert_eq!(
         printed("sweep PIPELINE letters --input INPUT --tell counts.wrds"),
         2

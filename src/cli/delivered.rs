@@ -5,7 +5,7 @@ use crate::catalog::is_photo;
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::{Graph, Source};
-use command::{Fault, Ran, inside, lies_in, there, whose};
+use command::{Fault, Ran, inside, is_within, there, whose};
 use engine::out;
 use shape::{Document, Girths, Mesh};
 use stage::{AnyArtifact, Artifact, message};
@@ -54,7 +54,7 @@ pub(super) fn place_of_results(
         None => {
             let mut out = PathBuf::from(format!("{name}-out"));
             // From within the capture: beside it.
-            if let Some(beside) = whole.parent().filter(|_| lies_in(&out, capture)) {
+            if let Some(beside) = whole.parent().filter(|_| is_within(&out, capture)) {
                 out = beside.join(out);
             }
             let own = whose(&[("photos".to_owned(), capture.to_owned())]);
@@ -67,7 +67,7 @@ pub(super) fn place_of_results(
             out
         }
     };
-    match lies_in(&out, capture) {
+    match is_within(&out, capture) {
         true => Err(inside(&out, capture)),
         false => Ok((out, name)),
     }

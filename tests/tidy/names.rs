@@ -1,4 +1,4 @@
-//! Names: no file of the engine or the contract, which serve any trade, names the product; tests that a page
+//! Names: no file of the engine or the contract, which serve any application, names the product; tests that a page
 //! names are there.
 
 use std::path::Path;

@@ -90,7 +90,7 @@ const AREAS: Kind = Kind {
 
 static MINE: Catalog = Catalog {
     program: "my-tailor 0.1.0",
-    rooms: &with_own::<_, { ROOMS.len() + 1 }>(STAGES, ROOMS),
+    stages: &with_own::<_, { ROOMS.len() + 1 }>(STAGES, ROOMS),
     kinds: &with_own::<_, { KINDS.len() + 1 }>(AREAS, KINDS),
     importers: IMPORTERS,
     pipelines: CATALOG.pipelines,

@@ -18,7 +18,7 @@ use serde_json::json;
 pub(crate) struct PlanArgs {
     #[command(flatten)]
     words: Words,
-    /// Cut it into strands for a cluster instead; the plan is in the cache, its name is told
+    /// Cut it into strands for a cluster instead; the plan goes into the cache, and its name is printed
     #[arg(long)]
     strands: bool,
     /// With --strands: one run for every folder in FOLDER, as the input NAME: NAME=FOLDER

@@ -41,7 +41,7 @@ impl Change {
 /// What `plan` and `why` are asked of, in any order.
 #[derive(Args, Clone)]
 pub(crate) struct Words {
-    /// A pipeline file or the name of a built-in one (the program's own if not said), and names of nodes
+    /// A pipeline file or the name of a built-in one (default: the program's own), and names of nodes
     #[arg(value_name = "PIPELINE|NODE")]
     words: Vec<String>,
     #[command(flatten)]
@@ -49,7 +49,6 @@ pub(crate) struct Words {
 }
 
 impl Words {
-    /// Whether nothing is said.
     pub(crate) fn is_empty(&self) -> bool {
         self.words.is_empty() && !self.change.changes() && self.change.input.is_empty()
     }
@@ -67,7 +66,7 @@ impl Words {
     pub(crate) fn wanted(&self, global: &GlobalArgs) -> Wanted {
         let is_file = |word: &String| word.ends_with(".toml") || Path::new(word).is_file();
         let built_in = |word: &String| global.catalog().pipeline(word).is_some();
-        // A node may be called like a built-in pipeline: the one whose nodes the others are is meant.
+        // A node may have a built-in pipeline's name: meant is the pipeline whose nodes the other words are.
         let whole = |word: &String| built_in(word) && self.are_nodes(word, Some(word), global);
         let at = |is: &dyn Fn(&String) -> bool| self.words.iter().position(is);
         let mut nodes = self.words.clone();

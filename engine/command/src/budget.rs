@@ -7,7 +7,7 @@ use engine::past;
 use engine::store::keeper::{self, Budget, KEPT_RECORDS};
 use engine::store::{Store, StoreError};
 
-/// At the end of a run: old records go, and what is over the budget that was said. Never while
+/// At the end of a run: old records go, and what is over the given budget. Never while
 /// another run uses the store, which does the same at its own end.
 pub(super) fn after_run(global: &GlobalArgs) {
     let many = past::ids(&global.cache).len() > 2 * KEPT_RECORDS;

@@ -62,7 +62,7 @@ enum Verb {
         /// Runs whose records are kept, beside the pinned ones
         #[arg(long, default_value_t = KEPT_RECORDS)]
         keep_records: usize,
-        /// Say what would go, remove nothing
+        /// Print what would go, remove nothing
         #[arg(long)]
         dry_run: bool,
     },
@@ -87,7 +87,7 @@ enum Verb {
         /// How many days ago
         #[arg(long)]
         older_days: f64,
-        /// Say what would go, remove nothing
+        /// Print what would go, remove nothing
         #[arg(long)]
         dry_run: bool,
     },

@@ -35,7 +35,7 @@ fn engine(text: &str) -> Result<Engine, String> {
 /// Arguments of `submit`.
 #[derive(Args)]
 pub(crate) struct Submit {
-    /// The plan that `--strands` told, or its first digits
+    /// The plan that `--strands` named, or its first digits
     plan: String,
     /// Who carries the work: slurm, or dask=ADDRESS
     #[arg(long, value_parser = engine)]
@@ -58,7 +58,7 @@ pub(crate) struct Submit {
     /// A word more for sbatch, such as --sbatch=--account=lab
     #[arg(long)]
     sbatch: Vec<String>,
-    /// Where elements write what they say; nowhere if not said
+    /// Where elements write their output; nowhere by default
     #[arg(long)]
     logs: Option<PathBuf>,
 }
@@ -73,7 +73,7 @@ pub(crate) struct Asked {
     engine: Engine,
 }
 
-/// `submit`: sends what is neither done nor sent. To say it again sends nothing twice.
+/// `submit`: sends what is neither done nor sent. A second `submit` sends nothing twice.
 pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
     let Known {
         name,
@@ -171,7 +171,7 @@ fn cut(
 fn wish(args: &Submit, global: &GlobalArgs) -> Result<Wish, Fault> {
     let whole = |path: &PathBuf| std::path::absolute(path).map_err(Fault::input);
     let logs = match &args.logs {
-        // Slurm writes there itself, and says nothing where it cannot.
+        // Slurm writes there itself, and reports nothing where it cannot.
         Some(folder) => {
             std::fs::create_dir_all(folder)
                 .map_err(|e| Fault::input(format!("--logs {}: {e}", folder.display())))?;

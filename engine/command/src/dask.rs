@@ -68,7 +68,7 @@ pub(super) fn submit(
     Ok(())
 }
 
-/// How many strands are done of how many, and what Dask says of its tasks where some are missing.
+/// How many strands are done of how many, and what Dask reports of its tasks where some are missing.
 pub(super) fn status(
     address: &str,
     name: &str,

@@ -31,7 +31,7 @@ fn real(path: &Path) -> PathBuf {
 }
 
 /// Whether a folder is another, or is in it.
-pub fn lies_in(inner: &Path, outer: &Path) -> bool {
+pub fn is_within(inner: &Path, outer: &Path) -> bool {
     real(inner).starts_with(real(outer))
 }
 
@@ -46,7 +46,7 @@ pub fn whose(folders: &[(String, PathBuf)]) -> String {
     hasher.finalize().to_hex()[..16].to_owned()
 }
 
-/// Says what is wrong with a folder for results before anything runs.
+/// Checks a folder for results before anything runs.
 ///
 /// # Errors
 ///
@@ -75,7 +75,7 @@ pub fn inside(out: &Path, folder: &Path) -> Fault {
     ))
 }
 
-/// Writes the run down, and tells what earlier runs left.
+/// Writes the run down, and reports what earlier runs left.
 ///
 /// # Errors
 ///
@@ -90,7 +90,7 @@ pub fn finish(
     written(delivery, outcome.json(graph), clean, global)
 }
 
-/// Ends a delivery with what its `run.json` says, and tells what earlier runs left.
+/// Ends a delivery with its `run.json`, and prints what earlier runs left.
 ///
 /// # Errors
 ///

@@ -1,11 +1,11 @@
-//! With which code the program ends, and what it says last.
+//! With which code the program ends, and what it prints last.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::speech::LOST;
 use std::sync::atomic::Ordering;
 
-/// Says what is wrong last of all, and with which code the program ends.
+/// Prints what is wrong last of all, and gives the code with which the program ends.
 pub(super) fn ended(done: Result<(), Fault>, global: &GlobalArgs) -> u8 {
     match done {
         Ok(()) if LOST.load(Ordering::Relaxed) => {
@@ -16,7 +16,7 @@ pub(super) fn ended(done: Result<(), Fault>, global: &GlobalArgs) -> u8 {
         Err(fault) => {
             let code = fault.code;
             if fault.text.is_empty() {
-                // The answer itself has said it.
+                // The answer itself has reported it.
             } else if global.json {
                 crate::outln!("{}", fault.json());
             } else {

@@ -22,7 +22,7 @@ enum Form {
 /// Arguments of `export`.
 #[derive(Args)]
 pub(crate) struct Export {
-    /// The plan that `--strands` told, or its first digits
+    /// The plan that `--strands` named, or its first digits
     plan: String,
     /// For whom
     #[arg(long = "as")]

@@ -6,11 +6,11 @@ use engine::strands::PlanError;
 use serde_json::{Map, Value, json};
 use stage::Message;
 
-/// Why a verb came to nothing: what to print (nothing if its answer has said it), and the exit code.
+/// Why a verb failed: what to print (nothing if its answer has reported it), and the exit code.
 pub struct Fault {
     pub(super) code: u8,
     pub(super) text: String,
-    /// What `--json` tells beside the text.
+    /// What `--json` has beside the text.
     pub(super) more: Map<String, Value>,
     /// What is wrong with a pipeline, place by place.
     pub(super) mistakes: Option<Box<Mistakes>>,
@@ -139,7 +139,7 @@ impl Fault {
         }
     }
 
-    /// What `--json` tells.
+    /// What `--json` has.
     pub fn json(self) -> Value {
         let mut answer = self.more;
         if let Some(Value::Object(mistakes)) = self.mistakes.map(|mistakes| mistakes.json()) {

@@ -1,4 +1,4 @@
-//! What `cache forget` says: what went, what stays, and what it could not be sure of.
+//! What `cache forget` reports: what went, what stays, and what it could not be sure of.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
@@ -9,7 +9,7 @@ use engine::store::Forgotten;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// How results are said to remain.
+/// The line about results that remain.
 pub(super) fn remains(out: &str) -> String {
     format!("results of it remain in {out}: remove the folder, or run this again with --out {out}")
 }

@@ -5,7 +5,7 @@ use super::shared::{NEEDS_NONE, OF_STORE, REFUSES};
 use clap::Command;
 
 /// Without the flags of a shared store where a verb never asks one, and everywhere in a program that can use none. They
-/// are still understood, and said to be of no use.
+/// are still understood, and reported to have no effect.
 pub(super) fn trimmed(command: Command, program: &Program) -> Command {
     if !cfg!(feature = "remote") {
         return hidden(command);

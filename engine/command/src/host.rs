@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 pub struct Host {
     /// Who hears how it goes on.
     pub watch: Option<Arc<dyn Watch + Send + Sync>>,
-    /// How it is told on standard error, in place of a line a node.
+    /// How the run is reported on standard error, in place of a line a node.
     pub telling: Option<Arc<dyn Telling>>,
     /// Who hears the same beside it.
     pub beside: Option<Arc<dyn Watch + Send + Sync>>,

@@ -15,13 +15,13 @@ use serde_json::{Value, json};
 /// Arguments of `impact`.
 #[derive(Args)]
 pub(crate) struct ImpactArgs {
-    /// A pipeline file (the program's own if not said), then params: PARAM or NODE.PARAM; none is all
+    /// A pipeline file (default: the program's own), then params: PARAM or NODE.PARAM; none is all
     what: Vec<String>,
     #[command(flatten)]
     change: Change,
 }
 
-/// Says which nodes a param reaches.
+/// Prints which nodes a param reaches.
 pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let (files, asked): (Vec<_>, Vec<_>) = args
         .what

@@ -1,4 +1,4 @@
-//! Where this program is, for others to start it.
+//! Where this program is, for another process to start it.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;

@@ -1,8 +1,8 @@
-//! The command line: the engine's verbs, and those that a trade adds.
+//! The command line: the engine's verbs, and those that an application adds.
 //!
 //! ```no_run
 //! use engine::Catalog;
-//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[], importers: &[], pipelines: &[] };
+//! static CATALOG: Catalog = Catalog { program: "words 1", stages: &[], kinds: &[], importers: &[], pipelines: &[] };
 //! static WORDS: command::Program = command::Program::new("words", "1", "Counts words.", &CATALOG);
 //!
 //! fn main() -> std::process::ExitCode {
@@ -64,7 +64,7 @@ mod verbs;
 mod why;
 
 pub use arguments::{Change, Wanted};
-pub use deliver::{check as check_out, finish, inside, lies_in, whose};
+pub use deliver::{check as check_out, finish, inside, is_within, whose};
 pub use engine::text;
 pub use fault::Fault;
 pub use host::{Host, Telling};
@@ -77,7 +77,7 @@ pub use result::there;
 pub use run_verb::execute;
 pub use speech::CANCEL;
 #[doc(hidden)]
-pub use speech::{answer, answer_line, say_line};
+pub use speech::{answer, answer_line, error_line};
 pub use sweep::{Heard, Swept, swept};
 pub use sweep_asked::SweepArgs;
 
@@ -96,5 +96,5 @@ macro_rules! outln {
 /// Prints a line to standard error, if anybody takes it.
 #[macro_export]
 macro_rules! errln {
-    ($($t:tt)*) => { $crate::say_line(format!($($t)*)) };
+    ($($t:tt)*) => { $crate::error_line(format!($($t)*)) };
 }

@@ -20,7 +20,7 @@ struct Cli {
     verb: Own,
 }
 
-/// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
+/// Does what the arguments ask for. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
 /// 130 cancelled.
 pub fn main(program: &'static Program) -> ExitCode {
     let launched = engine::foreign::launched(std::env::args_os().skip(1));
@@ -49,7 +49,7 @@ fn command(program: &'static Program) -> clap::Command {
 ///
 /// # Errors
 ///
-/// What `clap` says of it. Help and version count as errors.
+/// What `clap` reports. Help and version count as errors.
 pub fn check_arguments<A: Into<OsString> + Clone>(
     program: &'static Program,
     arguments: impl IntoIterator<Item = A>,

@@ -15,7 +15,7 @@ pub(crate) struct Completions {
 /// Arguments of `man`.
 #[derive(Args)]
 pub(crate) struct Man {
-    /// A folder to write one page a verb to; the main page on standard output if not said
+    /// A folder to write one page a verb to; without it the main page goes to standard output
     #[arg(long)]
     out: Option<PathBuf>,
 }

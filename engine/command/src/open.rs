@@ -42,11 +42,11 @@ pub fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
     })
 }
 
-/// A pipeline file or a built-in pipeline, the program's own if none is said, with what the command line changes.
+/// A pipeline file or a built-in pipeline, by default the program's own, with what the command line changes.
 ///
 /// # Errors
 ///
-/// None is said and the program has none, or all mistakes of the pipeline.
+/// None is given and the program has none, or all mistakes of the pipeline.
 pub fn open_pipeline(
     file: Option<&Path>,
     change: &Change,

@@ -6,12 +6,12 @@ use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// It, and the lock that says that somebody uses it.
+/// It, and the lock that shows that it is in use.
 static CACHE: Mutex<Option<(tempfile::TempDir, Option<File>)>> = Mutex::new(None);
 
 const NAME: &str = "private-cache-";
 
-/// Whether nobody uses one of these any more. The number in its name may be another process's by now: the lock says it,
+/// Whether nobody uses one of these any more. The number in its name may be another process's by now: the lock decides,
 /// and the number only where folders know no locks.
 fn is_left(folder: &Path, process: &str) -> bool {
     match File::open(folder).map(|file| file.try_lock()) {

@@ -75,7 +75,7 @@ fn shown(profile: &Profile, path: &Path) -> String {
     };
     for node in costs.iter().filter(|c| c.label.is_none()) {
         all.add_row(row(node));
-        // Loops that are over at once say nothing.
+        // Loops that are over at once show nothing.
         let loops = costs
             .iter()
             .filter(|c| c.label.is_some() && c.node == node.node);

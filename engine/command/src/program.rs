@@ -1,4 +1,4 @@
-//! A program: a trade's catalog, what it adds to the engine's command line, and what every verb takes.
+//! A program: an application's catalog, what it adds to the engine's command line, and what every verb takes.
 
 use super::fault::Fault;
 use super::host::Host;
@@ -23,19 +23,19 @@ pub struct Program {
     pub about: &'static str,
     /// Its stages and kinds.
     pub catalog: &'static Catalog,
-    /// The variable of the environment that says where results are kept.
+    /// The environment variable for the folder where results are kept.
     pub cache_env: &'static str,
-    /// The variable of the environment that says how much the cache may hold.
+    /// The environment variable for the most that the cache may hold.
     pub size_env: &'static str,
-    /// The variable of the environment that says which store machines share.
+    /// The environment variable for the store that machines share.
     pub store_env: &'static str,
-    /// The variable of the environment that says which file signs what goes there.
+    /// The environment variable for the file that signs what goes there.
     pub sign_env: &'static str,
-    /// The variable of the environment that says which file lists whose signatures are believed.
+    /// The environment variable for the file that lists whose signatures are believed.
     pub trust_env: &'static str,
-    /// The built-in pipeline that is meant where none is said.
+    /// The built-in pipeline that is used where none is given.
     pub pipeline: Option<&'static str>,
-    /// The input whose folder alone marks results as its own, where a verb of the program's says so.
+    /// The input whose folder alone marks results as its own, where a verb of the program's asks for that.
     pub input: Option<&'static str>,
     /// Verbs of its own, before the engine's.
     pub verbs: &'static [Verb],
@@ -49,7 +49,7 @@ pub struct Program {
     pub screen: fn(&Ran<'_>) -> Option<String>,
     /// Errors of results against a folder of ground truth, for `sweep --truth`.
     pub errors: fn(&Graph, &Outcome, &Path) -> Result<Vec<Metric>, String>,
-    /// What a metric is held against on plots, by its name and unit: the truth of that folder, limits.
+    /// What a metric is compared with on plots, by its name and unit: the truth of that folder, limits.
     pub references: fn(&str, &str, Option<&Path>) -> Vec<Reference>,
 }
 
@@ -114,7 +114,7 @@ impl Program {
 /// When programs run in a sandbox.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Walls {
-    /// Where there is one; what is missing is told
+    /// Where there is one; what is missing is reported
     #[default]
     Auto,
     /// Always: else no program runs
@@ -157,7 +157,7 @@ pub struct GlobalArgs {
     /// Whether the pipeline's programs may run where there is no full sandbox
     #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
     pub sandbox: Walls,
-    /// Say nothing but results and errors
+    /// Print nothing but results and errors
     #[arg(long, global = true)]
     pub quiet: bool,
     /// Where a profile of the run is written, if one is wanted.
@@ -172,7 +172,7 @@ pub struct GlobalArgs {
 }
 
 impl GlobalArgs {
-    /// For a program that is no command line: nothing is said but answers and errors.
+    /// For a program that is no command line: nothing is printed but answers and errors.
     pub fn of(program: &'static Program, cache: PathBuf, host: Host) -> GlobalArgs {
         GlobalArgs {
             json: true,

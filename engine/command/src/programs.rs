@@ -9,7 +9,7 @@ use engine::store::Store;
 use std::sync::Once;
 use std::sync::atomic::Ordering;
 
-/// With `--allow-exec` remembers that the programs of a pipeline may run; tells all whether they may.
+/// With `--allow-exec` remembers that the programs of a pipeline may run; sets for all whether they may.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault>
     Ok(())
 }
 
-/// The words that tell another process of this program what programs of a pipeline may.
+/// The words that give another process of this program what programs of a pipeline may.
 pub(super) fn words(global: &GlobalArgs) -> Vec<String> {
     let sandbox = (global.sandbox == Walls::Required).then_some(["--sandbox", "required"]);
     let allow = global.allow_exec.then_some("--allow-exec");
@@ -46,27 +46,27 @@ pub(super) fn words(global: &GlobalArgs) -> Vec<String> {
     words.map(str::to_owned).collect()
 }
 
-/// Says once that permissions in a cache count no more, where there are some.
+/// Reports once that permissions in a cache count no more, where there are some.
 fn unread(store: &Store, global: &GlobalArgs) {
-    static SAID: Once = Once::new();
+    static REPORTED: Once = Once::new();
     let old = store.root().join("allowed");
     if !global.quiet && !global.json && old.is_dir() {
-        SAID.call_once(|| {
+        REPORTED.call_once(|| {
             let old = old.display();
             crate::errln!("{old} is no longer read: permissions are yours, and come with no cache");
         });
     }
 }
 
-/// Says once what keeps programs apart from the rest of this machine, if that is no full sandbox.
+/// Reports once what keeps programs apart from the rest of this machine, if that is no full sandbox.
 pub(crate) fn unguarded(graph: &Graph, nodes: &[usize], global: &GlobalArgs) {
-    static SAID: Once = Once::new();
+    static REPORTED: Once = Once::new();
     let quiet = global.quiet || global.json;
     if !quiet
         && permission::programs(graph, nodes).next().is_some()
         && let Some(lacks) = foreign::sandbox().lacks()
     {
-        SAID.call_once(|| crate::errln!("{lacks} (--sandbox required lets none run so)"));
+        REPORTED.call_once(|| crate::errln!("{lacks} (--sandbox required lets none run so)"));
     }
 }
 

@@ -1,4 +1,4 @@
-//! Plain lines while a run goes on; on a terminal also what runs now, and for how long still. A program may tell of
+//! Plain lines while a run goes on; on a terminal also what runs now, and for how long still. A program may report
 //! steps in place of nodes (`telling.rs`).
 
 use super::telling::Steps;
@@ -27,13 +27,13 @@ struct State {
     running: Vec<Running>,
     /// What each node took the last time. \[s\]
     expected: BTreeMap<String, f64>,
-    /// What is told in place of nodes.
+    /// What is shown in place of nodes.
     steps: Option<Steps>,
 }
 
 struct Running {
     node: String,
-    /// How far it says it is.
+    /// The progress that it reports.
     at: String,
     since: Instant,
 }
@@ -152,7 +152,7 @@ impl Progress {
     }
 
     /// Prints lines above the last one.
-    fn say(&self, lines: impl FnOnce()) {
+    fn above(&self, lines: impl FnOnce()) {
         self.bar.suspend(lines);
     }
 }
@@ -210,7 +210,7 @@ impl Watch for Progress {
             let plain = plain.iter().filter(|_| !self.terminal);
             let lines: Vec<&String> = above.iter().chain(plain).collect();
             if !lines.is_empty() {
-                self.say(|| lines.iter().for_each(|line| crate::errln!("{line}")));
+                self.above(|| lines.iter().for_each(|line| crate::errln!("{line}")));
             }
             return;
         }
@@ -220,11 +220,11 @@ impl Watch for Progress {
             let found = state.found;
             drop(state);
             if so_far == of {
-                self.say(|| crate::errln!("{found} of {of} found"));
+                self.above(|| crate::errln!("{found} of {of} found"));
             }
             return;
         }
-        // Why is said of the node that failed, once.
+        // The reason is printed once, for the node that failed.
         let skipped = done.status == Status::Skipped;
         state.skipped += usize::from(skipped);
         let lost = state.skipped;
@@ -232,11 +232,11 @@ impl Watch for Progress {
         drop(state);
         if skipped {
             if so_far == of {
-                self.say(|| crate::errln!("{lost} that need it skipped"));
+                self.above(|| crate::errln!("{lost} that need it skipped"));
             }
             return;
         }
-        self.say(|| {
+        self.above(|| {
             crate::errln!("[{so_far:>2}/{of}] {node:<12} {}", became(done));
             for warning in &done.warnings {
                 crate::errln!("        warning: {warning}");

@@ -183,7 +183,7 @@ fn failed(row: &Row) -> Option<String> {
     }
 }
 
-/// The mean of a point's replicates; none where one does not tell it, for a set that is refused at times is no best one.
+/// The mean of a point's replicates; none where one has none: a set that is refused at times is no best one.
 fn value(own: &[Option<&Row>], metric: &str) -> Option<f64> {
     let one = |row: &Option<&Row>| {
         let row = (*row)?;

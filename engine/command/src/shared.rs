@@ -16,7 +16,7 @@ pub(super) const NEEDS_NONE: [&str; 6] =
 /// The verb that refuses a shared store.
 pub(super) const REFUSES: &str = "serve";
 
-/// The flags that say how a store is shared.
+/// The flags of a shared store.
 pub(super) const OF_STORE: [&str; 5] = [
     "store",
     "store_read_only",
@@ -58,7 +58,7 @@ fn seal(_global: &GlobalArgs) -> Result<Option<Box<dyn Seal>>, Fault> {
     Ok(None)
 }
 
-/// The words that tell another process of this program which store machines share (files by whole paths), and what
+/// The words that give another process of this program the store that machines share (files by whole paths), and what
 /// programs of a pipeline may.
 pub(super) fn words(global: &GlobalArgs) -> Result<Vec<String>, Fault> {
     let mut words = super::programs::words(global);
@@ -83,7 +83,7 @@ fn plain(address: &str) -> String {
     format!("{scheme}://{rest}")
 }
 
-/// Links the store to what `--store` says.
+/// Links the store to the one that `--store` names.
 pub(super) fn begin(
     global: &GlobalArgs,
     verb: &str,
@@ -107,13 +107,13 @@ pub(super) fn begin(
     }
     let patience = Patience::of(Duration::from_secs_f64(global.store_wait));
     let objects = place(address, patience)?;
-    let say = |line: &str| crate::errln!("{line}");
+    let report = |line: &str| crate::errln!("{line}");
     let manner = Manner {
         read_only: global.store_read_only,
         seal: seal(global)?,
         patience,
     };
-    Sharing::begin(&global.cache, objects, manner, Box::new(say))
+    Sharing::begin(&global.cache, objects, manner, Box::new(report))
         .map(Some)
         .map_err(Fault::input)
 }

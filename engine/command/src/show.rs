@@ -26,7 +26,7 @@ pub(crate) struct Show {
     pipeline: Option<PathBuf>,
     #[command(flatten)]
     change: Change,
-    /// The format; the kind's usual one if not said
+    /// The format; by default the kind's usual one
     #[arg(long = "as")]
     format: Option<String>,
     /// The file, or the folder where there are several; `-` is standard output, for a single file. Without it texts go to
@@ -35,7 +35,7 @@ pub(crate) struct Show {
     o: Option<PathBuf>,
 }
 
-/// What a run's record says of a node.
+/// A node's entry in a run's record.
 fn entry<'a>(run: &'a Value, node: &str) -> Option<&'a Value> {
     run["nodes"].as_array()?.iter().find(|n| n["node"] == node)
 }
@@ -44,7 +44,7 @@ fn entry<'a>(run: &'a Value, node: &str) -> Option<&'a Value> {
 fn fits(run: &Value, graph: &Graph, node: usize) -> bool {
     let same = |node: &Bound| {
         let mut provenance = Provenance::default();
-        key::tell_recipe(node, &mut provenance);
+        key::describe_recipe(node, &mut provenance);
         let lines = entry(run, &node.name).map(|n| n["provenance"].clone());
         let lines = serde_json::from_value::<Vec<(String, String)>>(lines.unwrap_or_default());
         lines.is_ok_and(|lines| lines.starts_with(&provenance.0))
@@ -182,7 +182,7 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     let wanted = node(&graph, &show.node)?;
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let printed = folders(&show.change)?;
-    let files = engine::said_inputs(&graph, &printed, &store).map_err(Fault::input)?;
+    let files = engine::given_inputs(&graph, &printed, &store).map_err(Fault::input)?;
     let contents: Vec<Option<Hash>> = files
         .iter()
         .map(|f| f.as_ref().map(stage::content))
@@ -235,7 +235,7 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     written(show, name, ending, &files, global)
 }
 
-/// Writes the files where they are wanted, and tells where that is.
+/// Writes the files where they are wanted, and reports where that is.
 fn written(
     show: &Show,
     name: &str,

@@ -34,7 +34,7 @@ pub(super) fn answer_bytes(bytes: &[u8]) {
 }
 
 /// For `errln!`.
-pub fn say_line(text: String) {
+pub fn error_line(text: String) {
     let _ = writeln!(std::io::stderr(), "{}", plain(text));
 }
 

@@ -12,12 +12,12 @@ use std::time::Duration;
 /// Nothing younger goes: a job may have looked at it and not used it yet. \[days\]
 const LEAST_DAYS: f64 = 1.0;
 
-/// Clocks that are farther apart are told. \[s\]
+/// Clocks that are farther apart are reported. \[s\]
 const APART_S: f64 = 60.0;
 
 fn sharing<'a>(sharing: Option<&'a Sharing>, verb: &str) -> Result<&'a Sharing, Fault> {
-    let say = || Fault::input(format!("`cache {verb}`: name the store with --store"));
-    sharing.ok_or_else(say)
+    let missing = || Fault::input(format!("`cache {verb}`: name the store with --store"));
+    sharing.ok_or_else(missing)
 }
 
 fn fault(sharing: &Sharing, why: &Trouble) -> Fault {

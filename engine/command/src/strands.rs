@@ -24,7 +24,7 @@ use std::sync::atomic::Ordering;
 /// Arguments of `work`.
 #[derive(Args)]
 pub(crate) struct Work {
-    /// The plan that `--strands` told, or its first digits
+    /// The plan that `--strands` named, or its first digits
     #[arg(long)]
     plan: String,
     /// Strands by their numbers: 3, or 0-63, or 1,5,8-9
@@ -56,7 +56,7 @@ pub(crate) fn plan(wanted: &Wanted, each: &[String], global: &GlobalArgs) -> Res
     written(&asked, global)
 }
 
-/// Every point with every folder that is in the one that `NAME=FOLDER` says, in natural order.
+/// Every point with every folder within the one of `NAME=FOLDER`, in natural order.
 fn crossed(
     points: &[(Overrides, Folders)],
     text: &str,
@@ -87,7 +87,7 @@ fn crossed(
     Ok(crossed)
 }
 
-/// Makes a plan, writes it into the store, tells its name.
+/// Makes a plan, writes it into the store, prints its name.
 pub(super) fn written(asked: &Asked<'_>, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let plan = strands::planned(asked, global.catalog().program, &store).map_err(Fault::input)?;
@@ -160,7 +160,7 @@ fn places(text: &str) -> Result<Vec<usize>, Fault> {
 /// So many digits of a plan's name are enough.
 pub(super) const SHORTEST: usize = strands::SHORTEST;
 
-/// More strands than this are not said at once.
+/// A range of strands is no longer.
 const MOST_PLACES: usize = 1_000_000;
 
 /// Notes what is not deterministic.
@@ -187,7 +187,7 @@ impl Watch for Ear<'_> {
     }
 }
 
-/// `work`: strands of a plan, one after the other; one that fails does not stop the others.
+/// `work`: strands of a plan, one after the other; one that fails does not stop the rest.
 pub(crate) fn work(work: &Work, global: &GlobalArgs) -> Result<(), Fault> {
     let places = places(&work.strand)?;
     let store = Store::open(&global.cache).map_err(Fault::input)?;

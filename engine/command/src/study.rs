@@ -23,7 +23,7 @@ pub(crate) struct Study {
 
 #[derive(Subcommand)]
 enum What {
-    /// Make studies' tables again, from the cache as far as it has them, and tell what moved
+    /// Make studies' tables again, from the cache as far as it has them, and print what moved
     Run(Run),
     /// The studies with what they ask
     Ls {

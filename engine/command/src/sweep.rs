@@ -49,7 +49,7 @@ impl Swept {
         sweep::json(program, &self.asked.name, &self.asked.about, &self.rows)
     }
 
-    /// What was asked for and no point tells.
+    /// What was asked for and no point has.
     pub fn missing(&self) -> Vec<String> {
         missing_metrics(&self.asked, &self.rows)
     }
@@ -130,7 +130,7 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
     let swept = swept(args, global, &voice, &mut |heard| match heard {
         Heard::Outlook(outlook) => {
             count = outlook.points;
-            voice.say(&outlook.to_string());
+            voice.line(&outlook.to_string());
         }
         Heard::Row(row, at, name) => {
             let end = match &row.end {
@@ -139,13 +139,13 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
                 End::Wrong(_) => "WRONG".into(),
                 End::Stopped => "stopped".into(),
             };
-            voice.say(&format!("[{at:>3}/{count}] {name}  {end}"));
+            voice.line(&format!("[{at:>3}/{count}] {name}  {end}"));
         }
     })?;
     finish(args, global, &swept)
 }
 
-/// Runs the points of a sweep, as the command line says it.
+/// Runs the points of a sweep that the command line describes.
 ///
 /// # Errors
 ///
@@ -246,7 +246,7 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
     }
     match rows.iter().filter(|r| r.end != End::Done).count() {
         0 => Ok(()),
-        // The table has said which and why.
+        // The table has reported which and why.
         _ => Err(Fault::stage("")),
     }
 }
@@ -266,7 +266,7 @@ fn typed(_: &[Row]) -> Result<Vec<(String, Vec<u8>)>, Fault> {
 struct Voice(bool);
 
 impl Voice {
-    fn say(&self, line: &str) {
+    fn line(&self, line: &str) {
         if self.0 {
             crate::errln!("{line}");
         }

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 pub struct SweepArgs {
     /// The pipeline file, or the name of a built-in one
     pub(super) pipeline: PathBuf,
-    /// A sweep that it declares; none if `--sweep` says all
+    /// A sweep that it declares; none if `--sweep` gives all
     pub(super) name: Option<String>,
     #[command(flatten)]
     pub(super) change: Change,
@@ -39,7 +39,7 @@ pub struct SweepArgs {
     /// Remove from that folder what an earlier run wrote there and this one does not
     #[arg(long, requires = "out")]
     pub(super) clean: bool,
-    /// Cut it into strands for a cluster instead of running it; the plan is in the cache, its name is told
+    /// Cut it into strands for a cluster instead of running it; the plan goes into the cache, and its name is printed
     #[arg(long, conflicts_with_all = ["out", "truth"])]
     pub(super) strands: bool,
     /// Repeat each point so often, each time with other seeds of what is by chance (noise, jitter, draws)
@@ -51,7 +51,7 @@ pub struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// A flag that says nothing to a search.
+    /// A flag that has no meaning for a search.
     pub(super) fn of_no_search(&self) -> Option<&'static str> {
         let given = [
             (!self.over.is_empty(), "--sweep"),
@@ -178,7 +178,7 @@ pub(super) fn asked(
     })
 }
 
-/// Says what is wrong before anything runs: names, and the values of every axis. Else the pipeline in each variant.
+/// Checks names and the values of every axis before anything runs. Returns the pipeline in each variant.
 pub(super) fn checked(
     args: &SweepArgs,
     base: &Graph,
@@ -248,9 +248,9 @@ fn tellable(args: &SweepArgs, graphs: &[Graph]) -> Result<(), Fault> {
             let bound = &graph.nodes[graph.node(node)?];
             let params = graph.nodes.iter().flat_map(|n| &n.params.values);
             let declared = sweep::entries(params.map(|(_, value)| value));
-            sweep::untellable(node, bound.stage, metric, &declared, graph.catalog)
+            sweep::missing_number(node, bound.stage, metric, &declared, graph.catalog)
         });
-        // It is enough that one variant tells it, or leaves the node out.
+        // It is enough that one variant has it, or leaves the node out.
         if let Some(what) = what.collect::<Option<Vec<String>>>() {
             return Err(Fault::input(format!("`--tell {tell}`: {}", what[0])));
         }

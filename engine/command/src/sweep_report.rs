@@ -1,4 +1,4 @@
-//! What is said beside the rows of a sweep: commands behind a point, metrics that are missing.
+//! What is printed beside the rows of a sweep: commands behind a point, metrics that are missing.
 
 use super::program::GlobalArgs;
 use super::sweep_asked::{Asked, SweepArgs};
@@ -43,7 +43,7 @@ pub(super) fn how(row: &Row, args: &SweepArgs, global: &GlobalArgs) -> Vec<Strin
     ]
 }
 
-/// What was asked for and no point tells, or not all do.
+/// What was asked for and no point has, or not all have.
 pub(super) fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
     let mut lines = Vec::new();
     let done: Vec<&Row> = rows.iter().filter(|r| r.end == End::Done).collect();

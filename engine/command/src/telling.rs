@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// How a program tells of a run. Steps are numbers in the order in which they follow each other.
+/// How a program reports a run. Steps are numbers in the order in which they follow each other.
 pub trait Telling: Send + Sync {
     /// The step that a node belongs to.
     fn step(&self, node: &str) -> usize;

@@ -34,7 +34,7 @@ pub(super) enum Own {
         #[arg(long, conflicts_with = "json_schema")]
         provenance: bool,
     },
-    /// The built-in pipelines, or one of them printed: their names stand for a file in every verb
+    /// The built-in pipelines, or one of them printed: every verb takes their names in place of a file
     Pipelines {
         /// The one to print
         name: Option<String>,

@@ -1,4 +1,4 @@
-//! A program of another trade on the engine: how often words stand in the files of a folder.
+//! A program for another field on the engine: how often words occur in the files of a folder.
 //!
 //! ```text
 //! cargo run -p engine --example words -- run engine/examples/words/words.toml \
@@ -7,9 +7,9 @@
 //!     --input texts=engine/examples/words/texts
 //! ```
 
+mod application;
 mod nouns;
-mod trade;
 
 fn main() -> std::process::ExitCode {
-    command::main(&trade::WORDS)
+    command::main(&application::WORDS)
 }

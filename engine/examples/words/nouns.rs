@@ -3,7 +3,7 @@
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 use std::collections::BTreeMap;
 
-/// How often each word stands in each file.
+/// How often each word occurs in each file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Counts {
     /// By the file's name, by the word.

@@ -27,7 +27,7 @@ pub enum DaskError {
         "`{0}` is not here: it comes with the Python package, and needs Dask (`pip install distributed`); run this where they are installed"
     )]
     Missing(String),
-    /// It says no.
+    /// It refuses.
     #[error("`{0}` printed: {1}")]
     Refused(String, String),
 }
@@ -37,7 +37,7 @@ fn prefix(program: &str, plan: &str) -> String {
     format!("{program}-{}-s", &plan[..12])
 }
 
-/// The tasks of what is left of a plan, packed as the layers say, named after the program.
+/// The tasks of what is left of a plan, packed as in the layers, named after the program.
 pub fn tasks(program: &str, name: &str, plan: &Plan, layers: &[Layer]) -> Vec<Task> {
     let elements = layers
         .iter()
@@ -130,7 +130,7 @@ impl Dask<'_> {
         let spawned = command.stderr(Stdio::piped()).spawn();
         let mut child = spawned.map_err(|_| DaskError::Missing(name.clone()))?;
         if let Some(mut to) = child.stdin.take() {
-            // Who does not read it says why below.
+            // An adapter that does not read it reports why below.
             let _ = to.write_all(asked.to_string().as_bytes());
         }
         let refused = |reply: String| DaskError::Refused(name.clone(), reply);

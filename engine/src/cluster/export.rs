@@ -36,7 +36,7 @@ impl Rules<'_> {
     }
 }
 
-/// For make: `make -k -j8 -f FILE`. Strands that are done are found, so nothing stands beside it.
+/// For make: `make -k -j8 -f FILE`. Strands that are done are found, so it needs no files of its own.
 pub fn makefile(plan: &Plan, rules: Rules<'_>) -> String {
     let all = strands(0..plan.strands.len());
     let mut text = format!(
@@ -58,7 +58,7 @@ fn strands(places: impl Iterator<Item = usize>) -> String {
 }
 
 /// For Snakemake: `snakemake --snakefile FILE --keep-going --cores 8`. A file in a folder named after
-/// the plan says that a strand is done.
+/// the plan marks a strand that is done.
 pub fn snakefile(plan: &Plan, rules: Rules<'_>) -> String {
     let mark = |at: usize| format!("\"{}-{}/s{at}\"", rules.called, &rules.name[..12]);
     let marks = |places: &mut dyn Iterator<Item = usize>| {

@@ -34,7 +34,7 @@ impl Layer {
         first..(first + self.pack).min(self.strands.end)
     }
 
-    /// As Slurm says sets of numbers: `0-3,7`.
+    /// In Slurm's notation for sets of numbers: `0-3,7`.
     pub fn array(&self) -> String {
         let mut ranges: Vec<(usize, usize)> = Vec::new();
         for at in &self.elements {
@@ -61,14 +61,14 @@ impl Layer {
     }
 }
 
-/// The layers with something to do, lowest first; `seconds` tells how long a strand takes, if known.
+/// The layers with something to do, lowest first; `seconds` gives how long a strand takes, if known.
 pub fn layers(
     plan: &Plan,
     done: &[bool],
     packing: Packing,
     seconds: &dyn Fn(usize) -> Option<f64>,
 ) -> Vec<Layer> {
-    // Half of what the site holds is left to others.
+    // Half of what the site takes is left to its other users.
     let most =
         (packing.most_jobs / 2 / plan.layers().max(1)).clamp(1, packing.most_elements.max(1));
     let one = |layer: usize| {

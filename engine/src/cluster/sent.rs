@@ -11,7 +11,7 @@ pub struct Sent {
     pub state: String,
     /// Why it waits or how it ended.
     pub reason: String,
-    /// The memory that it was given, as Slurm says it: `4G`.
+    /// The memory that it was given, as Slurm writes it: `4G`.
     pub mem: String,
 }
 
@@ -48,7 +48,7 @@ impl Sent {
     pub(super) fn remembered(line: &str, names: &[String]) -> Option<Sent> {
         let mut parts = line.trim().split('|');
         let (id, job, state, mem) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
-        // `CANCELLED by 1000`; the element of an array stands behind `_`.
+        // `CANCELLED by 1000`; the element of an array comes after `_`.
         let first = |text: &str, by: char| text.split(by).next().unwrap_or_default().to_owned();
         Some(Sent {
             layer: names.iter().position(|n| *n == job)?,
@@ -75,7 +75,7 @@ pub fn more_memory(sent: &[Sent], layer: usize, wished: Option<&str>) -> Option<
     }
 }
 
-/// `4G`, `4000M`, `4Gn` (a node) as mebibytes; what is said a core (`4Gc`) is not known here.
+/// `4G`, `4000M`, `4Gn` (a node) as mebibytes; an amount a core (`4Gc`) is not known here.
 fn mebibytes(text: &str) -> Option<u64> {
     let text = text.trim().trim_end_matches('n');
     let unit = text.chars().next_back()?;

@@ -1,4 +1,4 @@
-//! What Slurm's own commands say: run, and read.
+//! Slurm's own commands: run, and their output read.
 
 use std::process::{Command, Stdio};
 
@@ -8,20 +8,20 @@ pub enum SlurmError {
     /// Not installed.
     #[error("`{0}` is not here: this machine submits to no Slurm; run this where `sbatch` works")]
     Missing(&'static str),
-    /// It says no.
+    /// It refuses.
     #[error("`{command}` printed: {answer}")]
     Refused {
         /// The command.
         command: String,
-        /// What it says.
+        /// What it printed.
         answer: String,
     },
-    /// It says something else than it should.
+    /// It printed something else than it should.
     #[error("`{command}` printed {answer:?}, which is not understood")]
     Odd {
         /// The command.
         command: String,
-        /// What it says.
+        /// What it printed.
         answer: String,
     },
 }
@@ -36,7 +36,7 @@ pub(super) fn ask(name: &'static str, words: &[String], input: &str) -> Result<S
     let spawned = command.stderr(Stdio::piped()).spawn();
     let mut child = spawned.map_err(|_| SlurmError::Missing(name))?;
     if let Some(mut to) = child.stdin.take() {
-        // Who does not read it says why below.
+        // A command that does not read it reports why below.
         let _ = to.write_all(input.as_bytes());
     }
     let refused = |answer: String| SlurmError::Refused {
@@ -62,7 +62,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// As `scontrol show config` says them.
+    /// As `scontrol show config` gives them.
     ///
     /// # Errors
     ///

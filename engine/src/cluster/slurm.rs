@@ -1,4 +1,4 @@
-//! Plans on Slurm: one `sbatch` a layer, never one a node; names that tell a second submitter what is
+//! Plans on Slurm: one `sbatch` a layer, never one a node; names that show a second submitter what is
 //! there already; no polling.
 
 use super::layers::Layer;
@@ -14,13 +14,13 @@ pub struct Wish {
     pub partition: Option<String>,
     /// Cores of an element.
     pub cpus: usize,
-    /// Memory of an element, as Slurm says it: `4G`.
+    /// Memory of an element, as Slurm writes it: `4G`.
     pub mem: Option<String>,
-    /// How long an element may take, as Slurm says it: `2:00:00`.
+    /// How long an element may take, as Slurm writes it: `2:00:00`.
     pub time: Option<String>,
     /// More words for `sbatch`.
     pub more: Vec<String>,
-    /// The folder into which elements write what they say.
+    /// The folder for the output of elements.
     pub logs: Option<PathBuf>,
     /// The program.
     pub program: PathBuf,
@@ -81,7 +81,7 @@ impl Slurm<'_> {
         answer.lines().filter_map(line).collect()
     }
 
-    /// Sends one layer; `after` says what it waits for. Returns the job's number.
+    /// Sends one layer, which waits for `after`. Returns the job's number.
     ///
     /// # Errors
     ///
@@ -96,7 +96,7 @@ impl Slurm<'_> {
         let mut words = ["--parsable", "--requeue", "--kill-on-invalid-dep=yes"]
             .map(str::to_owned)
             .to_vec();
-        // Two minutes before its time is over an element is told: what is done by then is kept.
+        // Two minutes before its time is over an element gets a signal: what is done by then is kept.
         words.push("--signal=B:TERM@120".into());
         words.push(format!("--job-name={}", self.job(at)));
         words.push(format!("--comment={}", self.name));

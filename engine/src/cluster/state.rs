@@ -26,12 +26,12 @@ impl Strands {
 /// Points that are looked up side by side.
 const AT_A_TIME: usize = 256;
 
-/// A listing tells of so many records with one request: it is worth it while it takes no more requests
+/// A listing has so many records in one answer: it is worth it while it takes no more requests
 /// than there are strands.
 const A_REQUEST: usize = 1000;
 
 /// Looks every strand up: keys from the plan's inputs and from what was made of them. Of a store that
-/// machines share it is asked once what is there, and then only for what others read.
+/// machines share it is asked once what is there, and then only for what other strands read.
 ///
 /// # Errors
 ///

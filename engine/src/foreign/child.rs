@@ -15,7 +15,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread::Builder;
 use std::time::{Duration, Instant};
 
-/// A line that a program said.
+/// A line that a program printed.
 pub(super) struct Line {
     /// Whether on standard output.
     pub(super) out: bool,
@@ -31,7 +31,7 @@ pub(super) const LOOK: Duration = Duration::from_millis(10);
 pub(super) const SHORTEST_LOOK: Duration = Duration::from_micros(100);
 /// How often memory and disk are looked at.
 pub(super) const WEIGH: Duration = Duration::from_millis(50);
-/// How many lines of a program wait to be heard; who says more waits, too. \[lines\]
+/// How many lines of a program wait to be read; a program that prints more waits, too. \[lines\]
 const WAITING_LINES: usize = 64;
 /// How long a program that has ended is listened to.
 const LISTEN: Duration = Duration::from_secs(2);
@@ -40,8 +40,8 @@ pub(super) const GRACE: Duration = Duration::from_millis(200);
 /// How long the system has to end a sandbox whose first process has ended: nothing can stay in it, but a busy machine is slow.
 const SANDBOX_GRACE: Duration = Duration::from_secs(10);
 
-/// Runs a program to its end. `heard` gets each line, and says whether it has taken it; what it has not is
-/// kept as what was said last. Nothing of it runs any more when this returns.
+/// Runs a program to its end. `heard` gets each line, and returns whether it has taken it; the last of those that it
+/// has not are returned. Nothing of the program runs any more when this returns.
 pub(super) fn run(
     task: &Task<'_>,
     stop: &dyn Fn() -> bool,
@@ -67,7 +67,7 @@ pub(super) fn run(
     }
     let status = child.wait();
     drop(running);
-    // All of the family has ended; without a sandbox somebody who left it may hold the pipes, and say more.
+    // All of the family has ended; without a sandbox a process that left it may keep the pipes open, and print more.
     let since = Instant::now();
     while since.elapsed() < LISTEN
         && let Ok(line) = lines.recv_timeout(GRACE)
@@ -215,7 +215,7 @@ mod tests {
     use std::process::Command;
 
     #[test]
-    fn a_program_that_says_more_than_is_heard_waits() {
+    fn a_program_that_prints_more_than_is_read_waits() {
         let mut command = Command::new("sh");
         process::lead_group(command.args(["-c", "yes hello | head -c 5000000"]));
         command.stdout(Stdio::piped()).stderr(Stdio::piped());

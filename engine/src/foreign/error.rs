@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Why a program's result was not taken. `tail` is what it said last.
+/// Why a program's result was not taken. `tail` is what it printed last.
 #[derive(Debug, thiserror::Error)]
 pub enum ForeignError {
     /// Nobody allowed it.
@@ -22,27 +22,27 @@ pub enum ForeignError {
     Start {
         /// The program.
         program: String,
-        /// What the system says.
+        /// The system's error.
         why: std::io::Error,
     },
-    /// It says itself that it failed.
+    /// It ended with an error.
     #[error("`{program}` ended with {how}{tail}")]
     Failed {
         /// The program.
         program: String,
         /// Its exit code, or the signal.
         how: String,
-        /// What it said last.
+        /// What it printed last.
         tail: String,
     },
-    /// It stays, and says itself that a job failed.
+    /// It stays, and reports that a job failed.
     #[error("`{program}` failed: {why}{tail}")]
     Reported {
         /// The program.
         program: String,
-        /// What it says.
+        /// The reason that it gives.
         why: String,
-        /// What it said last besides.
+        /// What else it printed last.
         tail: String,
     },
     /// It took too long.
@@ -52,7 +52,7 @@ pub enum ForeignError {
         program: String,
         /// How long it was allowed.
         limit: Duration,
-        /// What it said last.
+        /// What it printed last.
         tail: String,
     },
     /// It took too much memory.
@@ -64,7 +64,7 @@ pub enum ForeignError {
         program: String,
         /// How much it was allowed. \[MB\]
         limit_mb: u64,
-        /// What it said last.
+        /// What it printed last.
         tail: String,
     },
     /// It wrote too much.
@@ -76,7 +76,7 @@ pub enum ForeignError {
         what: String,
         /// How much is taken.
         most: String,
-        /// What it said last.
+        /// What it printed last.
         tail: String,
     },
     /// It ended, and its children did not.
@@ -88,7 +88,7 @@ pub enum ForeignError {
         program: String,
         /// Names and numbers.
         who: String,
-        /// What it said last.
+        /// What it printed last.
         tail: String,
     },
     /// It wrote nothing.
@@ -96,7 +96,7 @@ pub enum ForeignError {
     Nothing {
         /// The program.
         program: String,
-        /// What it said last.
+        /// What it printed last.
         tail: String,
     },
     /// It wrote what is no plain file.
@@ -130,9 +130,9 @@ pub enum ForeignError {
         program: String,
         /// The kind.
         kind: &'static str,
-        /// What the importer says.
+        /// The importer's error.
         why: String,
-        /// What the program said last.
+        /// What the program printed last.
         tail: String,
     },
     /// What it reads beside what it is given cannot be read, or is not what it was when the run began.
@@ -150,7 +150,7 @@ pub enum ForeignError {
         /// What was printed after.
         after: String,
     },
-    /// Its identity cannot be told.
+    /// Its identity cannot be found.
     #[error("the identity cannot be found: {0}")]
     NoIdentity(Box<ForeignError>),
     /// A file of the node's is not what it was.
@@ -169,7 +169,7 @@ pub enum ForeignError {
     Folder {
         /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         why: std::io::Error,
     },
     /// The user asked to stop.
@@ -178,7 +178,7 @@ pub enum ForeignError {
 }
 
 impl ForeignError {
-    /// Puts what the program said last behind the message.
+    /// Puts what the program printed last behind the message.
     pub(super) fn printed(&mut self, last: &str) {
         match self {
             ForeignError::Failed { tail, .. }

@@ -62,7 +62,7 @@ pub(super) fn members(folder: &Path, leader: Option<u32>) -> Vec<Member> {
 }
 
 /// The same, with all that run in one of these sandboxes; those that are met are added. Once the first process
-/// of a sandbox is killed, nothing tells any more whose the others are, which end a moment later.
+/// of a sandbox is killed, nothing shows any more whose the rest are, which end a moment later.
 fn met(folder: &Path, leader: Option<u32>, sandboxes: &mut Vec<PathBuf>) -> Vec<Member> {
     let mark = [MARK.as_bytes(), b"=", folder.as_os_str().as_encoded_bytes()].concat();
     let least = leader.filter(|leader| last_number().is_some_and(|last| last >= *leader));

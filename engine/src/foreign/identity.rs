@@ -9,7 +9,7 @@ use std::sync::Mutex;
 pub struct Identities(Mutex<HashMap<[u8; 32], Result<String, String>>>);
 
 impl Identities {
-    /// What is known for a permission; else what `read` tells.
+    /// What is known for a permission; else what `read` gives.
     pub(super) fn get(
         &self,
         of: Hash,

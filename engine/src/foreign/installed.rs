@@ -25,7 +25,7 @@ type Brought = (String, PathBuf, Vec<PathBuf>);
 
 static BROUGHT: Mutex<Vec<Brought>> = Mutex::new(Vec::new());
 
-/// Takes a program of this name from here, whatever PATH says, and lets it read some folders: for a host
+/// Takes a program of this name from here, whatever is in PATH, and lets it read some folders: for a host
 /// that brings it along.
 pub fn bring(name: String, path: PathBuf, reads: Vec<PathBuf>) {
     let mut brought = BROUGHT.lock().expect("bug: poisoned");
@@ -139,7 +139,7 @@ fn installation(program: &Path, hidden: &Path) -> Option<PathBuf> {
     fits.then(|| folder.to_owned())
 }
 
-/// A path without `.` and `..`, as far as its text tells.
+/// A path without `.` and `..`, as far as its text shows.
 fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for part in path.components() {

@@ -1,6 +1,6 @@
-//! A program that stays (`keep = true`): told of each job by a line on its standard input, a list of words as
-//! JSON. It says `{"ready": true}` once, and answers each with `{"done": true}` or `{"failed": "why"}` on its standard
-//! output.
+//! A program that stays (`keep = true`): it gets each job as a line on its standard input, a list of words as
+//! JSON. It prints `{"ready": true}` once, and answers each with `{"done": true}` or `{"failed": "why"}` on its
+//! standard output.
 //!
 //! One runs a thread at most: who has a job takes an idle one that is like it, and puts it back.
 
@@ -35,18 +35,18 @@ pub(super) struct Kept {
     at_work: Option<AtWork>,
 }
 
-/// Idle ones, and by how many runs those of a store are held.
+/// Idle ones, and how many runs keep those of a store.
 struct Idle {
     kept: Vec<Kept>,
-    held: BTreeMap<PathBuf, usize>,
+    keepers: BTreeMap<PathBuf, usize>,
 }
 
 static IDLE: Mutex<Idle> = Mutex::new(Idle {
     kept: Vec::new(),
-    held: BTreeMap::new(),
+    keepers: BTreeMap::new(),
 });
 
-/// As long as one is held, programs of a store's runs stay; then idle ones end.
+/// As long as there is one, programs of a store's runs stay; then idle ones end.
 pub(crate) struct Keeping(PathBuf);
 
 impl Keeping {
@@ -64,7 +64,7 @@ impl Keeping {
         let store = store.canonicalize().ok().or_else(above);
         let store = store.unwrap_or_default();
         let mut idle = IDLE.lock().expect("bug: poisoned");
-        *idle.held.entry(store.clone()).or_default() += 1;
+        *idle.keepers.entry(store.clone()).or_default() += 1;
         Keeping(store)
     }
 }
@@ -72,16 +72,16 @@ impl Keeping {
 impl Drop for Keeping {
     fn drop(&mut self) {
         let mut idle = IDLE.lock().expect("bug: poisoned");
-        let count = idle.held.entry(self.0.clone()).or_default();
+        let count = idle.keepers.entry(self.0.clone()).or_default();
         *count -= 1;
         if *count > 0 {
             return;
         }
-        idle.held.remove(&self.0);
+        idle.keepers.remove(&self.0);
         let all = std::mem::take(&mut idle.kept);
-        let (ending, others): (Vec<Kept>, Vec<Kept>) =
+        let (ending, rest): (Vec<Kept>, Vec<Kept>) =
             all.into_iter().partition(|kept| kept.like.store == self.0);
-        idle.kept = others;
+        idle.kept = rest;
         drop(idle);
         drop(ending);
     }
@@ -117,10 +117,10 @@ impl Kept {
         !self.at_work.as_mut().is_some_and(ended)
     }
 
-    /// Puts it back for the next job, as long as somebody holds idle ones.
+    /// Puts it back for the next job, as long as a run keeps idle ones.
     pub(super) fn rest(self) {
         let mut idle = IDLE.lock().expect("bug: poisoned");
-        if idle.held.contains_key(&self.like.store) {
+        if idle.keepers.contains_key(&self.like.store) {
             idle.kept.push(self);
         }
     }

@@ -1,5 +1,5 @@
 //! Without bubblewrap, on Linux: our own program is started in place of the pipeline's, keeps itself from all that a
-//! node is not given, and becomes it. What bubblewrap does beside that is told where programs run.
+//! node is not given, and becomes it. What bubblewrap does beside that is described where programs run.
 
 use super::installed::SYSTEM;
 use super::places::{READ, SHM, TMP, WORK, WRITE};
@@ -12,11 +12,11 @@ use std::sync::OnceLock;
 
 /// The first word of a command line that is a launcher's.
 const WORD: &str = "--confined";
-/// Keeps itself from everything, and says from what.
+/// Keeps itself from everything, and prints from what.
 const TRY: &str = "--try";
-/// What is said where signals out of the confinement are kept back, too.
+/// What is printed where signals out of the confinement are kept back, too.
 const SIGNALS: &str = "signals";
-/// A shell says that a command cannot be started by this code.
+/// The code by which a shell reports that a command cannot be started.
 const NOT_STARTED: u8 = 126;
 
 /// This program, if its `main` asks [`launched`].
@@ -94,7 +94,7 @@ fn read(words: &mut dyn Iterator<Item = OsString>) -> Option<(Given, Vec<OsStrin
 
 /// What a `main` asks before it does anything, with its words without the program's name. If they are a launcher's,
 /// this process confines itself and becomes the command; it returns only if that failed, with a code. If not, this
-/// program is from now on the one by which others are confined where there is no bubblewrap.
+/// program is from now on the one that confines other programs where there is no bubblewrap.
 pub fn launched(words: impl IntoIterator<Item = OsString>) -> Option<ExitCode> {
     let mut words = words.into_iter();
     if words.next().is_none_or(|word| word != WORD) {

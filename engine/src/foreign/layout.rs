@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 pub(super) struct Layout {
     root: PathBuf,
     jobs: AtomicU64,
-    /// Held while the program may run: other machines share the store, and know none of its processes.
+    /// Locked while the program may run: other machines share the store, and know none of its processes.
     _lock: File,
 }
 

@@ -33,7 +33,7 @@ pub(super) fn remove(root: &Path, above: &[&str], name: &str) {
     }
 }
 
-/// As [`remove`], a program's folder: its lock goes last, so that who is killed meanwhile leaves what tells that nobody
+/// As [`remove`], a program's folder: its lock goes last, so that who is killed meanwhile leaves what shows that nobody
 /// holds it.
 pub(super) fn remove_program(root: &Path, name: &str) {
     for inner in [READ, WORK, TMP, SHM, ETC, WRITE, TAKEN] {
@@ -69,15 +69,15 @@ pub fn clear(store: &Path) {
             continue;
         };
         let folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-        // The number of a killed process may be another's by now: the lock says whose the folder is, and the number only
-        // where the disk knows no locks, or there is none yet.
+        // The number of a killed process may be another's by now: the lock shows whose the folder is, and the number
+        // only where the disk knows no locks, or there is none yet.
         let number = || name.split('-').next().is_none_or(is_alive);
-        let held = match File::open(entry.path().join(LOCK)).map(|file| file.try_lock()) {
+        let locked = match File::open(entry.path().join(LOCK)).map(|file| file.try_lock()) {
             Ok(Ok(())) => false,
             Ok(Err(TryLockError::WouldBlock)) => true,
             Ok(Err(TryLockError::Error(_))) | Err(_) => number(),
         };
-        if folder && !held {
+        if folder && !locked {
             let path = entry.path().canonicalize().unwrap_or(entry.path());
             family::end(&path, None);
             remove_program(&root, name);

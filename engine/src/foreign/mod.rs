@@ -1,4 +1,4 @@
-//! Programs as stages: `stage = "exec"`. A node says a command; what it reads is laid out as the files
+//! Programs as stages: `stage = "exec"`. A node gives a command; what it reads is laid out as the files
 //! that its kinds are documented by, the program runs in a folder of its own, and what it leaves is
 //! taken in by its kind's importer, as any input.
 //!

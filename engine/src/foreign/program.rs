@@ -32,7 +32,7 @@ pub(super) struct Grant {
     pub(super) identity: Option<Result<String, String>>,
     /// The content of what it reads beside, in the order of `reads`, or why that is not known.
     pub(super) reads: Vec<Result<String, String>>,
-    /// What tells that some of it was changed.
+    /// What shows that some of it was changed.
     pub(super) stamps: Vec<Option<Hash>>,
 }
 
@@ -89,7 +89,7 @@ pub struct Program {
     pub granted: Granted,
 }
 
-/// How a line of a key says an identity that is not known.
+/// An identity that is not known, in a line of a key.
 const UNKNOWN: &str = "unknown until allowed (--allow-exec)";
 
 impl Program {
@@ -137,7 +137,7 @@ impl Program {
     }
 
     /// What the user allows: command, identity, files, variables of the environment, what it reads, network,
-    /// whether it stays, params that are more than a number where they stand in the command, and the content
+    /// whether it stays, params in the command that are more than a number, and the content
     /// of a program that is named by its place and is none of the system's.
     pub fn permission(&self) -> Hash {
         let mut hasher = blake3::Hasher::new();
@@ -169,14 +169,14 @@ impl Program {
         hasher.finalize()
     }
 
-    /// Params in the command that are no plain number and no switch: they may say anything.
+    /// Params in the command that are no plain number and no switch: they may have any text.
     pub fn texts(&self) -> impl Iterator<Item = (&String, &Value)> {
         let plain = |v: &Value| matches!(v, Value::Bool(_) | Value::Int(_) | Value::Float(_));
         let pairs = self.with.iter().filter(move |(_, v)| !plain(v));
         pairs.map(|(name, value)| (name, value))
     }
 
-    /// A param as it stands in a command: texts without quotes, lists and tables as JSON.
+    /// A param as it is written into a command: texts without quotes, lists and tables as JSON.
     pub(super) fn output(&self, name: &str) -> String {
         let value = self.with.iter().find(|(n, _)| n == name);
         match value.map(|(_, value)| value) {

@@ -1,4 +1,4 @@
-//! What a node says that its program reads beside what it is given (`reads`): by content in its key, and the
+//! What a node declares that its program reads beside what it is given (`reads`): by content in its key, and the
 //! same before and after a run.
 
 use crate::system::{FileKind, Met, Stamp, nofollow};
@@ -83,7 +83,7 @@ pub(super) fn content(path: &str) -> Result<Hash> {
     Ok(stage::hash(lines.concat().as_bytes()))
 }
 
-/// What tells that something at a path was changed, without reading it.
+/// What changes when something at a path was changed, without reading it.
 pub(super) fn stamps(path: &str) -> Result<Hash> {
     let lines = lines(path, &mut |met, _| Ok(format!("{:?}", met.stamp)))?;
     Ok(stage::hash(lines.concat().as_bytes()))

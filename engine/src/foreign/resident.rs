@@ -17,7 +17,7 @@ use std::time::Instant;
 /// The process.
 pub(super) struct AtWork {
     pub(super) child: Child,
-    /// Lines that it is told, by a thread of their own: it may not listen.
+    /// Lines for it, written by a thread of their own: it may not listen.
     pub(super) words: SyncSender<String>,
     lines: Receiver<Line>,
     /// Processes of the family when it was ready.
@@ -41,7 +41,7 @@ pub(super) struct Limits<'a> {
     pub(super) start: Instant,
 }
 
-/// What a line of the program says of its job: done, or why it failed.
+/// What a line of the program reports of its job: done, or why it failed.
 pub(super) fn answer(line: &Line) -> Option<Result<(), String>> {
     let printed = object(line)?;
     match (printed.get("done"), printed.get("failed")) {
@@ -70,7 +70,7 @@ fn spawned(mut command: Command) -> std::io::Result<(Sender<()>, Child)> {
     Ok((starter, child))
 }
 
-/// Tells a program lines; who has ended is told nothing.
+/// Sends lines to a program; one that has ended gets none.
 fn reported(mut to: ChildStdin) -> std::io::Result<SyncSender<String>> {
     let (words, lines) = sync_channel::<String>(1);
     std::thread::Builder::new().spawn(move || {
@@ -160,7 +160,7 @@ impl AtWork {
         }
     }
 
-    /// What was said besides, up to now.
+    /// Takes what else was printed up to now.
     pub(super) fn besides(&self, heard: &mut dyn FnMut(&Line) -> bool, tail: &mut Tail) {
         while let Ok(line) = self.lines.try_recv() {
             if !heard(&line) {

@@ -25,7 +25,7 @@ pub(super) fn word(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Runs the node's command, by a program that is kept if there is one; `place` says what ports and `{out}` stand for.
+/// Runs the node's command, by a program that is kept if there is one; `place` gives what replaces ports and `{out}`.
 pub(super) fn command(
     program: &Program,
     job: &Job,

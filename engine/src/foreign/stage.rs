@@ -25,7 +25,7 @@ pub const EXEC: &str = "exec";
 /// Raise it whenever a program gets or gives something else.
 pub const VERSION: u32 = 2;
 
-/// Whether a kind can be laid out as files for a program, in a format if one is said.
+/// Whether a kind can be laid out as files for a program, in a format if one is given.
 ///
 /// # Errors
 ///
@@ -52,7 +52,7 @@ pub fn laid_out(catalog: &crate::Catalog, kind: &str, format: Option<&str>) -> R
     }
 }
 
-/// What each place of a command that reads or writes stands for.
+/// What replaces each place of a command that reads or writes.
 type Places = Vec<(Piece, String)>;
 
 impl Program {

@@ -1,8 +1,8 @@
-//! What a program said last.
+//! The last lines of a program.
 
 use std::collections::VecDeque;
 
-/// What a program said last, for messages.
+/// The last lines that a program printed, for messages.
 #[derive(Default)]
 pub(super) struct Tail(VecDeque<String>);
 
@@ -22,7 +22,7 @@ impl Tail {
         }
     }
 
-    /// Behind a message: nothing, or what was said last.
+    /// Behind a message: nothing, or the last lines.
     pub(super) fn text(&self) -> String {
         let lines: String = self.0.iter().map(|l| format!("\n  | {l}")).collect();
         match lines.is_empty() {

@@ -73,7 +73,7 @@ impl Template {
         Ok(Template { pieces, written })
     }
 
-    /// The word with what its places stand for.
+    /// The word with its places filled in.
     pub fn filled(&self, of: &dyn Fn(&Piece) -> String) -> String {
         let one = |piece: &Piece| match piece {
             Piece::Text(text) => text.clone(),
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_none_is_told() {
+    fn what_is_no_template_is_refused() {
         for word in ["{", "a}", "{out", "{out} }"] {
             let reported = Template::read(word).unwrap_err();
             assert_eq!(reported, TemplateError::Open(word.into()));

@@ -31,7 +31,7 @@ pub(super) const ETC_NETWORK: [&str; 12] = [
 pub(super) struct View<'a> {
     /// What its installation needs.
     pub(super) installed: &'a Installed,
-    /// What the node says that it reads.
+    /// What the node declares that it reads.
     pub(super) reads: &'a [String],
     /// What nobody sees: the store.
     pub(super) hidden: &'a Path,

@@ -23,7 +23,7 @@ pub fn page(title: &str, body: &str, data: &serde_json::Value, script: &str) -> 
     )
 }
 
-/// A table; cells are texts, and those that are numbers stand to the right. A row is called `ID-0` and so on.
+/// A table; cells are texts, and those that are numbers are aligned to the right. A row is called `ID-0` and so on.
 pub fn table(id: &str, head: &[String], rows: &[Vec<String>]) -> String {
     table_with(id, head, rows, &|_| String::new())
 }

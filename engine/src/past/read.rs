@@ -103,7 +103,7 @@ mod tests {
         let whole = format!("{{\"seconds\":1.0,\"program\":\"toy\"}}\n{{}}\n{node}\n");
         std::fs::write(runs.join("whole.json"), &whole).unwrap();
         assert_eq!(of("whole").unwrap(), BTreeSet::from(["c".to_owned()]));
-        // A flipped bit in a line leaves the others.
+        // A flipped bit in a line leaves the rest.
         let other = br#"{"node":"b","content":"d"}"#;
         let bytes = [whole.as_bytes(), b"\xff\xfe\n", other];
         std::fs::write(runs.join("flipped.json"), bytes.concat()).unwrap();

@@ -51,7 +51,7 @@ pub fn lines(node: &str, program: &Program) -> Vec<String> {
     lines
 }
 
-/// The reference of the stage itself: what a node may say, and which kinds programs can make.
+/// The reference of the stage itself: the keys of a node, and which kinds programs can make.
 pub fn reference(catalog: &Catalog) -> String {
     let mut text = format!(
         "{EXEC} v{} → what `out` names\n  Runs a program of yours: see docs/pipelines.md.\n",
@@ -111,7 +111,7 @@ const KEYS: [(&str, &str); 12] = [
     ),
 ];
 
-/// What somebody is told who has not allowed these nodes' programs.
+/// The message for somebody who has not allowed these nodes' programs.
 pub fn refusal(graph: &Graph, nodes: &[usize]) -> String {
     let all = programs(graph, nodes).flat_map(|(i, p)| lines(&graph.nodes[i].name, p));
     let all: Vec<String> = all.map(|line| format!("  {line}\n")).collect();

@@ -21,12 +21,12 @@ pub enum PermitError {
     /// Nobody knows where the user's folder is.
     #[error("there is no folder to remember permissions in: set XDG_STATE_HOME or HOME")]
     Nowhere,
-    /// The disk refuses, or others may write there.
+    /// The disk refuses, or other users may write there.
     #[error("permissions cannot be kept in {}: {why}", path.display())]
     Folder {
         /// The folder.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         why: std::io::Error,
     },
 }
@@ -89,7 +89,7 @@ fn counts(folder: &Path, name: &str) -> bool {
 ///
 /// # Errors
 ///
-/// There is no such folder, the disk refuses, or others may write there.
+/// There is no such folder, the disk refuses, or other users may write there.
 pub fn allow(graph: &Graph, nodes: &[usize]) -> Result<(), PermitError> {
     for (i, program) in programs(graph, nodes) {
         if is_allowed(program) {
@@ -121,7 +121,7 @@ pub fn allow(graph: &Graph, nodes: &[usize]) -> Result<(), PermitError> {
 pub struct Settled {
     /// The places of the nodes whose programs nobody allowed.
     pub refused: Vec<usize>,
-    /// The first node whose identity, or what it reads, cannot be told, and why.
+    /// The first node whose identity, or what it reads, cannot be found, and why.
     pub unknown: Option<(usize, String)>,
 }
 

@@ -13,7 +13,7 @@ pub struct Cost {
     pub label: Option<String>,
     /// By the clock; the sum where a loop ran several times. \[s\]
     pub seconds: f64,
-    /// Of the processor: an even share where several nodes ran at once. `None` where the system does not tell. \[s\]
+    /// Of the processor: an even share where several nodes ran at once. `None` where the system has no numbers. \[s\]
     pub processor: Option<f64>,
     /// The most memory that the process had meanwhile. \[bytes\]
     pub resident: Option<u64>,

@@ -18,7 +18,7 @@ pub struct Profiler<'a> {
 pub struct Profile {
     /// Nodes and loops, in the order in which they began.
     pub(crate) spans: Vec<Span>,
-    /// The process every few milliseconds; empty where the system does not tell.
+    /// The process every few milliseconds; empty where the system does not report it.
     pub(crate) samples: Vec<Sample>,
 }
 
@@ -30,7 +30,7 @@ impl Profile {
 }
 
 impl<'a> Profiler<'a> {
-    /// Hears what a run tells, and passes it on.
+    /// Gets the events of a run, and passes them on.
     pub fn new(listener: &'a dyn Watch) -> Self {
         Profiler {
             listener,

@@ -18,7 +18,7 @@ pub(crate) struct Sample {
     pub(crate) resident: u64,
 }
 
-/// Looks at the process until it is told that the run is over.
+/// Looks at the process until the run is over.
 #[derive(Default)]
 pub(crate) struct Sampler {
     over: Mutex<bool>,
@@ -55,7 +55,7 @@ impl Sampler {
         let mut over = self.over.lock().expect("bug: poisoned");
         loop {
             let now = thread_times().zip(resident_bytes("self"));
-            // A system that does not tell now will not tell later.
+            // A system that does not report it now will not do so later.
             let Some((threads, resident)) = now else {
                 return samples;
             };
@@ -95,7 +95,7 @@ mod tests {
         assert!(samples.len() > 2);
         let whole = |s: &Sample| s.threads.iter().map(|(_, t)| t).sum::<f64>();
         let (first, last) = (&samples[0], &samples[samples.len() - 1]);
-        // How much of it the machine gave is not ours to say.
+        // How much of it the machine gave depends on its load.
         assert!(whole(last) > whole(first) && last.resident > 0);
         assert!(samples.windows(2).all(|w| w[0].t <= w[1].t));
     }

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nodes_that_run_at_once_lie_beside_each_other() {
+    fn nodes_that_run_at_once_are_side_by_side() {
         let span = |node: &str, label: Option<&str>, from: f64, to: f64| Span {
             node: node.into(),
             label: label.map(str::to_owned),

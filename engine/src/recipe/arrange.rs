@@ -7,7 +7,7 @@ use crate::graph::{Bound, Graph, InputDecl, Origin, Source};
 use crate::kind::Catalog;
 
 impl Binder<'_> {
-    /// Says which nodes and inputs the goal does not need.
+    /// Reports nodes and inputs that the goal does not need.
     pub(super) fn unused(&mut self, bound: &[Option<Bound>], goal: &[usize]) {
         let mut used = vec![false; bound.len()];
         let mut inputs = vec![false; self.recipe.inputs.len()];

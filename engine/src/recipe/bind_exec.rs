@@ -32,7 +32,7 @@ fn script(beside: &Path, path: &Path) -> std::io::Result<Vec<u8>> {
     plain_file(path, LARGEST_SCRIPT_BYTES)
 }
 
-/// How long a program may take that says nothing of it. \[s\]
+/// How long a program may take if its node gives no limit. \[s\]
 const TIMEOUT_S: f64 = 3600.0;
 
 /// Names of ports and params live as long as the process: there are as many as pipelines name.

@@ -53,7 +53,7 @@ impl Reader {
 }
 
 impl Exec {
-    /// Puts what another node of the same name says over this.
+    /// Puts the keys of another node of the same name over these.
     pub(super) fn change(&mut self, over: Exec) {
         self.key = over.key.or(self.key.take());
         self.command = over.command.or(self.command.take());

@@ -7,7 +7,7 @@ use crate::kind::Importer;
 use stage::{Artifact, Files, PortSpec, unknown};
 
 impl Binder<'_> {
-    /// Whether a command starts with a program that stands there, and not with what may change.
+    /// Whether a command starts with a fixed program, and not with what may change.
     pub(super) fn started(&mut self, spanned: &[Spanned<String>], words: &[Template]) {
         let (Some(spanned), Some(first)) = (spanned.first(), words.first()) else {
             return;
@@ -37,7 +37,7 @@ impl Binder<'_> {
         }
     }
 
-    /// Whether all places of a command are there, and all params stand in it.
+    /// Whether all places of a command are there, and all params are in it.
     pub(super) fn placed(
         &mut self,
         node: &Node,
@@ -79,15 +79,15 @@ impl Binder<'_> {
             );
         }
         for (param, _) in &node.with {
-            let stands = |w: &Template| w.pieces.contains(&Piece::With(param.value.clone()));
-            if !words.iter().any(stands) {
+            let has = |w: &Template| w.pieces.contains(&Piece::With(param.value.clone()));
+            if !words.iter().any(has) {
                 let what = format!("the command has no {{with.{}}}", param.value);
                 self.wrong_at(param, what);
             }
         }
     }
 
-    /// Says which sources nobody reads, and which the importer lacks.
+    /// Reports sources that nobody reads, and those that the importer lacks.
     pub(super) fn unread(
         &mut self,
         node: &Node,

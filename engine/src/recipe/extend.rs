@@ -8,7 +8,7 @@ use crate::graph::SHARED;
 use stage::unknown;
 use std::collections::HashSet;
 
-/// The pipeline `under` as `over` changes it. A node of both keeps what `over` does not say; one
+/// The pipeline `under` as `over` changes it. A node of both keeps what `over` does not set; one
 /// that gets another stage starts anew. Inputs, variants, sweeps and entries of sections are
 /// replaced whole, shared params one by one.
 pub(super) fn extended(under: Recipe, over: Recipe, mistakes: &mut Vec<Mistake>) -> Recipe {
@@ -58,7 +58,7 @@ pub(super) fn extended(under: Recipe, over: Recipe, mistakes: &mut Vec<Mistake>)
     all
 }
 
-/// Takes back what variants and sweeps say of a node: it gets another stage, with other params and
+/// Takes back what variants and sweeps set of a node: it gets another stage, with other params and
 /// other metrics.
 fn forget(recipe: &mut Recipe, node: &str) {
     for variant in &mut recipe.variants {
@@ -87,7 +87,7 @@ fn put<T>(under: &mut Vec<T>, over: Vec<T>, name: impl Fn(&T) -> &Spanned<String
     }
 }
 
-/// A node with what another of its name says.
+/// A node with the keys of another of its name.
 fn change(node: &mut Node, over: Node) {
     node.name = over.name;
     match (&mut node.from, over.from) {
@@ -110,8 +110,8 @@ fn change(node: &mut Node, over: Node) {
     node.exec.change(over.exec);
 }
 
-/// Without what was inherited (`own` tells what was not) and the goal does not need: nodes, inputs,
-/// shared params, and what variants and sweeps say of them.
+/// Without what was inherited (not by `own`) and the goal does not need: nodes, inputs,
+/// shared params, and what variants and sweeps set of them.
 pub(super) fn trimmed(recipe: &mut Recipe, own: &dyn Fn(&Spanned<String>) -> bool) {
     let needed = needed(recipe);
     recipe
@@ -133,19 +133,19 @@ pub(super) fn trimmed(recipe: &mut Recipe, own: &dyn Fn(&Spanned<String>) -> boo
         for (_, with) in variant.with.iter_mut().filter(|(n, _)| n.value == SHARED) {
             with.retain(|(param, _)| params.contains(&param.value));
         }
-        let says = |n: &Spanned<String>, with: &With| !with.is_empty() && there(&n.value);
+        let sets = |n: &Spanned<String>, with: &With| !with.is_empty() && there(&n.value);
         let shares = |n: &Spanned<String>, with: &With| !with.is_empty() && n.value == SHARED;
         variant
             .with
-            .retain(|(n, with)| says(n, with) || shares(n, with));
+            .retain(|(n, with)| sets(n, with) || shares(n, with));
         variant.stage.retain(|(n, _)| there(&n.value));
         variant.from.retain(|(n, _)| there(&n.value));
         variant.without.retain(|n| there(&n.value));
     }
-    let says = |v: &Variant| {
+    let changes = |v: &Variant| {
         !(v.with.is_empty() && v.stage.is_empty() && v.from.is_empty() && v.without.is_empty())
     };
-    recipe.variants.retain(|v| own(&v.name) || says(v));
+    recipe.variants.retain(|v| own(&v.name) || changes(v));
     let variants = recipe.variants.iter().map(|v| v.name.value.clone());
     let variants: HashSet<String> = variants.collect();
     let whole = |s: &Sweep| {

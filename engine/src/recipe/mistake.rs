@@ -44,7 +44,7 @@ impl Mistake {
 pub struct Text {
     /// What it is called.
     pub name: String,
-    /// How many bytes of other texts stand before it.
+    /// How many bytes of other texts come before it.
     pub start: usize,
     /// The text.
     pub text: String,
@@ -71,7 +71,7 @@ impl Text {
         std::iter::once(0).chain(ends).collect()
     }
 
-    /// Line and column of a byte, from 1; `lines` as [`Text::lines`] tells them.
+    /// Line and column of a byte, from 1; `lines` as [`Text::lines`] gives them.
     fn place(&self, at: usize, lines: &[usize]) -> (usize, usize) {
         let at = self.letter(at);
         let line = lines.partition_point(|start| *start <= at);

@@ -1,7 +1,7 @@
 //! From a pipeline file to a [`Graph`](crate::graph::Graph): reading, extending, varying, binding.
 //!
 //! [`Pipeline::read`] reads a file with those that it extends; [`Pipeline::graph`] applies variants
-//! and `--set`s and binds it, or says all mistakes at once.
+//! and `--set`s and binds it, or returns all mistakes at once.
 
 mod arrange;
 mod bind;

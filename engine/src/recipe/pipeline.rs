@@ -232,7 +232,7 @@ impl Pipeline {
             true => Ok(Cow::Borrowed(recipe)),
             false => vary(recipe, overrides).map(Cow::Owned),
         };
-        // Of what is wrong in itself only that is told.
+        // If the pipeline is wrong in itself, only that is reported.
         let mut varied = match varied {
             Ok(varied) if checked.variants.is_empty() => varied,
             varied => {

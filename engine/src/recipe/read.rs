@@ -31,7 +31,7 @@ pub(super) fn without_stage(recipe: &Recipe) -> impl Iterator<Item = Mistake> {
     })
 }
 
-/// What can be read of a pipeline whose text stands behind `start` bytes of others, and what is
+/// What can be read of a pipeline whose text comes after `start` bytes of other texts, and what is
 /// wrong with the rest; nothing of what is no TOML.
 pub(super) fn read_at(text: &str, start: usize) -> Result<(Recipe, Vec<Mistake>), Vec<Mistake>> {
     let (mut root, mut mistakes) = tree(text);
@@ -72,7 +72,7 @@ impl Reader {
         self.wrong(&key.span, unknown("key", &key.name, known));
     }
 
-    /// Names become those of files, and stand in commands.
+    /// Names become those of files, and are parts of commands.
     fn name(&mut self, key: &Key<'_>) {
         let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
         if key.name.is_empty() || !key.name.bytes().all(plain) {
@@ -188,7 +188,7 @@ impl Reader {
                         recipe.searches.extend(search);
                     }
                 }
-                // A stage may take it as a section; whether one does, binding tells.
+                // A stage may take it as a section; whether one does, binding finds.
                 _ if matches!(value.item, Item::Table(_)) => {
                     for (name, value) in self.table(value, "a section") {
                         self.name(name);

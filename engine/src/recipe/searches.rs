@@ -1,4 +1,4 @@
-//! `[search.NAME]`: what it says.
+//! `[search.NAME]`: its keys.
 
 use super::read::Reader;
 use super::tree::Spot;
@@ -68,7 +68,7 @@ impl Reader {
             value: Sample { points, seed },
             span: sweep.name.span.clone(),
         });
-        // What is searched for is told, whatever else is.
+        // The metric that is searched for is reported, whatever else is.
         if !sweep.tell.iter().any(|t| t.value == metric.value) {
             sweep.tell.insert(0, metric.clone());
         }
@@ -81,7 +81,7 @@ impl Reader {
         })
     }
 
-    /// What a search must say, and what it cannot.
+    /// What a search needs, and what it cannot have.
     fn lacking(&mut self, sweep: &Sweep, budget: bool, metric: bool, dear: bool) {
         let other = sweep.sample.is_some() || sweep.csv.is_some() || !sweep.zip.is_empty();
         for (wrong, what) in [

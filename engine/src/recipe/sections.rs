@@ -1,5 +1,5 @@
 //! Sections: `[girth.mid_thigh]` fills the param `girth` of every node whose stage has one of that
-//! name. What sections there are is said by the stages: the engine knows none.
+//! name. Which sections there are follows from the stages: the engine knows none.
 
 use super::binder::{Binder, Known, sections_of};
 use super::mistake::Mistake;
@@ -12,7 +12,7 @@ use std::ops::Range;
 
 impl Binder<'_> {
     /// All that a node is given: entries of the sections that its stage takes, and over them what it
-    /// says itself.
+    /// sets itself.
     pub(super) fn entries(&self, node: &Node, known: &Known) -> BTreeMap<String, Value> {
         let spanned = node.with.iter();
         let mut entries: BTreeMap<String, Value> = spanned
@@ -65,7 +65,7 @@ impl Binder<'_> {
             Some(_) => format!("`{}.{}`: {}", path[0], path[1], wrong.what),
             None => format!("`{}` {}", wrong.name, wrong.what),
         };
-        // What the node says itself stands over the section.
+        // What the node sets itself goes over the section.
         let own = pair.filter(|(_, v)| within(&v.value, &path[1..]).is_some());
         let span = match own {
             Some((_, v)) => v.span.clone(),
@@ -76,7 +76,7 @@ impl Binder<'_> {
         Mistake::at(&span, what)
     }
 
-    /// Where a section says what is at a path: the key if it is unknown, else its value, else the
+    /// Where a section sets what is at a path: the key if it is unknown, else its value, else the
     /// header.
     fn place(&self, path: &[&str], key_itself: bool) -> Option<Range<usize>> {
         let sections = self.recipe.sections.iter();
@@ -93,7 +93,7 @@ impl Binder<'_> {
         })
     }
 
-    /// Says which sections mean nothing, and which nobody takes.
+    /// Reports sections that mean nothing, and those that nobody takes.
     pub(super) fn idle_sections(
         &mut self,
         stages: &[Option<Known>],

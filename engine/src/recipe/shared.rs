@@ -38,7 +38,7 @@ pub(super) fn readers<'a>(
     recipe.nodes.iter().flat_map(of)
 }
 
-/// Puts the values of shared params where they are read. A value stands where it was written, so
+/// Puts the values of shared params where they are read. A value has the place where it was written, so
 /// that a mistake in it is found there. A `strict` pipeline has none that nobody reads.
 pub(super) fn resolve(recipe: &mut Recipe, strict: bool, mistakes: &mut Vec<Mistake>) {
     let names: Vec<&str> = recipe

@@ -7,11 +7,11 @@ use super::variant::vary;
 use super::written::{Node, Over, Overrides, Recipe, Spanned, Sweep};
 use crate::graph::SHARED;
 use crate::kind::Catalog;
-use crate::tells::{entries, untellable};
+use crate::numbers::{entries, missing_number};
 use stage::{Value, unknown};
 
 /// Whether every sweep means something: nodes, params, values, variants, metrics.
-/// Where variants are not `sound`, nothing is said of what a sweep comes to in them.
+/// Where variants are not `sound`, what a sweep comes to in them is not checked.
 pub(super) fn check(recipe: &Recipe, sound: bool, catalog: &'static Catalog) -> Vec<Mistake> {
     let mut mistakes = Vec::new();
     for sweep in &recipe.sweeps {
@@ -203,7 +203,7 @@ fn untold_by_all(
             let all = recipes
                 .iter()
                 .map(|r| missing_metric(r, node, spanned, catalog));
-            // It is enough that one variant tells it.
+            // It is enough that one variant has it.
             let all: Option<Vec<String>> = all.collect();
             all?.into_iter().next()
         }
@@ -267,5 +267,5 @@ fn missing_metric(
         Some(importer) => importer,
         None => catalog.find(&at.stage.value)?,
     };
-    untellable(node, stage, metric, &declared, catalog)
+    missing_number(node, stage, metric, &declared, catalog)
 }

@@ -1,4 +1,4 @@
-//! `[sweep.NAME]`: what it says.
+//! `[sweep.NAME]`: its keys.
 
 use super::read::Reader;
 use super::tree::{Item, Spot};
@@ -10,12 +10,12 @@ impl Reader {
         self.sweep_with(name, value, &[])
     }
 
-    /// A sweep among whose keys are others, which somebody else reads.
+    /// A sweep with `further` keys, which somebody else reads.
     pub(super) fn sweep_with(
         &mut self,
         name: Spanned<String>,
         value: &Spot<'_>,
-        others: &[&str],
+        further: &[&str],
     ) -> Sweep {
         let mut s = Sweep {
             name,
@@ -47,7 +47,7 @@ impl Reader {
                         }
                     }
                 }
-                other if others.contains(&other) => {}
+                other if further.contains(&other) => {}
                 _ => self.unknown_key(
                     key,
                     &[

@@ -1,4 +1,4 @@
-//! What a pipeline's TOML says, as a tree: every key and value with its place in the file.
+//! A pipeline's TOML as a tree: every key and value with its place in the file.
 
 use super::mistake::Mistake;
 use super::tree::{Item, Key, Spot, Table};
@@ -26,7 +26,7 @@ pub(super) fn tree(text: &str) -> (Table<'_>, Vec<Mistake>) {
     (root, mistakes)
 }
 
-/// Where a key or a header stands that is written once more at `again`. \[bytes\]
+/// Where a key or a header is that is written once more at `again`. \[bytes\]
 fn first(root: &Table<'_>, text: &str, again: &Range<usize>) -> Option<usize> {
     let name = text.get(again.clone())?.trim_matches(['"', '\'']);
     let start = text[..again.start].rfind('\n').map_or(0, |i| i + 1);

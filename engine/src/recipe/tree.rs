@@ -33,7 +33,7 @@ pub(super) struct Key<'t> {
 /// Keys with their values in the order of the file.
 pub(super) type Table<'t> = Vec<(Key<'t>, Spot<'t>)>;
 
-/// Moves all places of a table: its text stands behind others.
+/// Moves all places of a table: its text comes after other texts.
 pub(super) fn moved(table: &mut Table<'_>, by: usize) {
     let shift = |span: &mut Range<usize>| *span = span.start + by..span.end + by;
     for (key, value) in table {

@@ -37,7 +37,7 @@ fn bare(recipe: &Recipe) -> Recipe {
 ///
 /// # Errors
 ///
-/// Every variant, node or param that is said and is not there.
+/// Every variant, node or param that is named and is not there.
 pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistake>> {
     let mut varied = bare(recipe);
     let mut mistakes = Vec::new();
@@ -170,7 +170,7 @@ pub(super) fn leave_out(recipe: &mut Recipe, name: &Spanned<String>, mistakes: &
     }
 }
 
-/// The place of what the command line says: behind all files.
+/// The place of what the command line sets: behind all files.
 fn on_command_line(set: usize) -> Range<usize> {
     COMMAND_LINE + set..COMMAND_LINE + set + 1
 }

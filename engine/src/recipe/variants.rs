@@ -1,4 +1,4 @@
-//! `[variant.NAME]`: what it says.
+//! `[variant.NAME]`: its keys.
 
 use super::read::Reader;
 use super::tree::Spot;

@@ -56,11 +56,11 @@ pub struct Node {
     pub from: From,
     /// Its params.
     pub with: With,
-    /// What it says of a program that it runs.
+    /// Its keys for a program that it runs.
     pub exec: Exec,
 }
 
-/// What a node with `stage = "exec"` says of its program.
+/// The keys of a node with `stage = "exec"` for its program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Exec {
     /// The first of its keys, with its place.
@@ -105,7 +105,7 @@ pub struct Section {
     pub kind: Spanned<String>,
     /// Its own name.
     pub name: Spanned<String>,
-    /// What it says.
+    /// Its keys.
     pub keys: With,
 }
 
@@ -145,7 +145,7 @@ pub struct Stretch {
     pub from: f64,
     /// The last.
     pub to: f64,
-    /// How many; none where a sample says it.
+    /// How many; none where a sample sets it.
     pub steps: Option<usize>,
     /// Whether equal steps are equal ratios.
     pub log: bool,
@@ -214,7 +214,7 @@ impl Method {
 /// `[search.NAME]`: the best set of params within ranges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Search {
-    /// Ranges, variants, metrics and replicates, as a sweep says them; its sample has the budget and the seed.
+    /// Ranges, variants, metrics and replicates, as in a sweep; its sample has the budget and the seed.
     pub sweep: Sweep,
     /// How points are chosen.
     pub method: Method,

@@ -20,7 +20,7 @@ pub type Values = Vec<(Option<String>, Option<f64>)>;
 ///
 /// # Errors
 ///
-/// What `run` says.
+/// Those of `run`.
 pub fn search<E>(
     search: &Search,
     mut run: impl FnMut(&Round<'_>) -> Result<Values, E>,

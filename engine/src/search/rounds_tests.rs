@@ -84,7 +84,7 @@ fn every_method_keeps_to_its_budget_and_is_the_same_again() {
 }
 
 #[test]
-fn mistakes_of_a_search_are_told() {
+fn mistakes_of_a_search_are_reported() {
     for (more, what) in [
         ("budget = 0", "how many whole points"),
         (

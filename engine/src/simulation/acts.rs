@@ -144,7 +144,7 @@ fn ask(world: &World, process: &Arc<Process>, number: usize, capture: usize) -> 
     machine.known.borrow_mut().touched(capture);
     let before = granted();
     let ran = ran(world, process, (&graph, capture));
-    // Others may change that meanwhile.
+    // Other processes may change that meanwhile.
     let (always, ever) = (before && granted(), before || granted());
     match ran {
         Err(why) => why,

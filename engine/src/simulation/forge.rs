@@ -1,9 +1,9 @@
 //! A stranger in the shared store.
 
+use super::application::application;
 use super::oracle_there;
 use super::process::Process;
 use super::story::NUMBERS;
-use super::trade::trade;
 use super::world::World;
 use crate::store::remote::{drain, working_beside};
 use crate::store::{self, Store};
@@ -18,14 +18,14 @@ pub(super) fn forge(
     oracle_there::used(world);
     world.wanted.set((capture, n));
     let process = Process::sound(machine);
-    let trade = trade();
+    let application = application();
     let files = world.machines[machine].files(capture);
     let (made, other) = (
-        trade.expected(n, &files),
-        trade.expected((n + 1) % NUMBERS, &files),
+        application.expected(n, &files),
+        application.expected((n + 1) % NUMBERS, &files),
     );
     let node = node % made.len();
-    let graph = trade.graph(n);
+    let graph = application.graph(n);
     let content = |source: &Option<crate::graph::Source>| match source.as_ref()? {
         crate::graph::Source::Input(_) => Some(stage::content(&files)),
         crate::graph::Source::Node(j) => Some(blake3::hash(&made[*j])),

@@ -39,8 +39,8 @@ pub(super) fn happens(world: &World, m: usize, what: &What) -> String {
         }
         What::Spoil { file, how } => return spoil(world, m, *file, *how),
         What::SpoilThere { object, how } => spoil_there(world, *object, *how),
-        What::Lies { count, how } => {
-            world.server.lies.store(*count, Ordering::Relaxed);
+        What::FalseAnswers { count, how } => {
+            world.server.false_answers.store(*count, Ordering::Relaxed);
             world.server.how.store(*how, Ordering::Relaxed);
             world.server.harmed.store(true, Ordering::Relaxed);
         }
@@ -68,7 +68,7 @@ pub(super) fn happens(world: &World, m: usize, what: &What) -> String {
     "so".into()
 }
 
-/// What the user allows, and what others would like to.
+/// What the user allows, and what other users would like to.
 fn permission(world: &World, m: usize, what: &What) -> String {
     let machine = &world.machines[m];
     let (number, allow) = match what {
@@ -126,7 +126,7 @@ fn spoil(world: &World, m: usize, file: u64, how: u64) -> String {
         !matches!(name, Some("format" | "in-use")) && !lock && !written
     };
     let all: Vec<_> = below(&machine.root).into_iter().filter(named).collect();
-    // Names of runs and of what is being written are others each time: chosen by their place.
+    // Names of runs and of what is being written differ each time: chosen by their place.
     let Some(path) = all.get(file as usize % all.len().max(1)) else {
         return "nothing there".into();
     };

@@ -5,14 +5,15 @@
 //! process may be killed, the disk be full, the network be cut.
 //!
 //! `story.rs` (what happens; out of a seed by `teller.rs`) → `process.rs` → `seam.rs` (where disk, shared store, keys and stages reach the story) →
-//! `disk.rs`, `server.rs`, `keys.rs`, `trade.rs` (stages), `programs.rs` → `machine.rs` (with `captures.rs`, `known.rs`), `world.rs` (time, who acts; `gone.rs`),
+//! `disk.rs`, `server.rs`, `keys.rs`, `application.rs` (stages), `programs.rs` → `machine.rs` (with `captures.rs`, `known.rs`), `world.rs` (time, who acts; `gone.rs`),
 //! `around.rs`, `opened.rs` → `oracle.rs`, `oracle_forgotten.rs`, `oracle_there.rs` (what must hold) → `acts.rs`, `working.rs`, `mishaps.rs`, `forge.rs`
 //! (what is done) → `played.rs` → `shrink.rs`.
 //!
 //! `ENGINE_STORIES=100000` takes so many stories, `ENGINE_STORIES_SEED=7` begins with that one;
-//! `ENGINE_STORY=7` tells one story step by step.
+//! `ENGINE_STORY=7` prints one story step by step.
 
 mod acts;
+mod application;
 mod around;
 mod captures;
 mod disk;
@@ -34,7 +35,6 @@ mod server;
 mod shrink;
 mod story;
 mod teller;
-mod trade;
 mod working;
 mod world;
 
@@ -43,7 +43,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use story::{Act, Setup, Story, Use, What};
 
-/// How many stories, and which is the first, if nothing else is said.
+/// How many stories, and which is the first, by default.
 const USUAL_STORIES: u64 = 10_000;
 
 fn number(name: &str) -> Option<u64> {
@@ -151,7 +151,7 @@ fn forgetting_that_is_killed_leads_the_next_one_to_what_is_left_in_the_shared_st
     for step in 0..60 {
         let mut killed = act(0, What::Forget { capture: 0 });
         killed.kill = Some(step);
-        // Nothing but a note tells what the capture was: it was edited, and the record of its run is gone.
+        // Only a note shows what the capture was: it was edited, and the record of its run is gone.
         let story = open(vec![
             act(0, What::Run { capture: 0, n: 1 }),
             act(0, What::Upload),
@@ -288,7 +288,7 @@ fn what_is_brought_takes_no_safety_from_what_is_there() {
 }
 
 #[test]
-fn a_story_told_twice_is_the_same() {
+fn a_story_run_twice_is_the_same() {
     for seed in 1..40 {
         let story = Story::new(seed);
         let (first, second) = (played(&story), played(&story));

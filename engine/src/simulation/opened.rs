@@ -55,14 +55,14 @@ impl World {
             process: process.clone(),
         };
         let patience = Patience::of(Duration::from_secs(8));
-        let say = Box::new(|_: &str| ());
+        let report = Box::new(|_: &str| ());
         let link = Link::new(
             &machine.root,
             Box::new(asked),
             read_only,
             seal,
             patience,
-            say,
+            report,
         );
         link.map(|link| Some(Arc::new(link)))
             .map_err(|why| why.to_string())
@@ -79,10 +79,10 @@ impl World {
             server: self.server.clone(),
             process: process.clone(),
         };
-        let (patience, say) = (Patience::default(), Box::new(|_: &str| ()));
+        let (patience, report) = (Patience::default(), Box::new(|_: &str| ()));
         let seal = || -> Box<dyn Seal> { Box::new(keys::strange(&self.strange)) };
         let seal = signs.then(seal);
-        let link = Link::new(root, Box::new(asked), false, seal, patience, say);
+        let link = Link::new(root, Box::new(asked), false, seal, patience, report);
         link.ok().map(Arc::new)
     }
 

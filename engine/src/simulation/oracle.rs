@@ -1,12 +1,12 @@
 //! What must hold, whatever happens.
 
+use super::application::application;
 use super::machine::Machine;
 use super::oracle_forgotten::clean;
 use super::oracle_there;
 use super::process::{Hasty, Process, options};
 use super::programs::makes;
 use super::story::Use;
-use super::trade::trade;
 use super::world::World;
 use crate::done::Status;
 use crate::outcome::Outcome;
@@ -49,7 +49,7 @@ pub(super) fn right(world: &World, m: usize, made: Made, outcome: &Outcome) {
     }
     if !(machine.believed_all.get() && world.forged.get() > 0) {
         let made = match made.of {
-            Of::Number(n) => trade().expected(n, &files),
+            Of::Number(n) => application().expected(n, &files),
             Of::Program(number) => makes(number, &files),
         };
         for (i, done) in outcome.nodes.iter().enumerate() {
@@ -142,7 +142,7 @@ pub(super) fn swept(world: &World, machine: &Machine, before: &[Hash], in_use: b
 
 /// Once all mishaps are over each machine's next run succeeds, and is right; stores are sound.
 pub(super) fn end(world: &World) {
-    world.server.lies.store(0, Ordering::Relaxed);
+    world.server.false_answers.store(0, Ordering::Relaxed);
     oracle_there::still_gone(world);
     for (m, machine) in world.machines.iter().enumerate() {
         let forgotten = machine.known.borrow().forgotten.clone();
@@ -206,9 +206,9 @@ fn sound(world: &World, m: usize) {
 }
 
 fn last(world: &World, m: usize, capture: usize, n: usize) {
-    let (process, trade) = (Process::sound(m), trade());
+    let (process, application) = (Process::sound(m), application());
     let machine = &world.machines[m];
-    let graph = trade.graph(n);
+    let graph = application.graph(n);
     let folders = world.folders(m, capture);
     let (go, options) = (false.into(), options(&machine.root));
     let wanted = crate::walk::all(graph, &graph.goal);

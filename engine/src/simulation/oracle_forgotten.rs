@@ -60,7 +60,7 @@ impl Before {
     }
 
     /// Whether it is true of the shared store, and nobody else puts anything there just now.
-    fn tells(&self, world: &World, machine: &Machine) -> bool {
+    fn counts_there(&self, world: &World, machine: &Machine) -> bool {
         let all: usize = world.machines.iter().map(|m| m.active.get()).sum();
         let alone = all == machine.active.get();
         let shared = matches!(machine.uses.get(), Use::Open | Use::Strict);
@@ -101,12 +101,12 @@ pub(super) fn forgotten(
         clean(world, m, capture);
         machine.known.borrow_mut().gone(capture);
     }
-    if before.tells(world, machine) {
+    if before.counts_there(world, machine) {
         before.there.gone(world, m, capture);
     }
 }
 
-/// Forgetting that was killed: of what is left something tells.
+/// Forgetting that was killed: what is left still leads to the rest.
 pub(super) fn cut_off(world: &World, m: usize, capture: usize, before: &Before) {
     let machine = &world.machines[m];
     let elsewhere = machine.known.borrow().elsewhere.contains(&capture);
@@ -126,7 +126,7 @@ pub(super) fn cut_off(world: &World, m: usize, capture: usize, before: &Before) 
             world.broken(&format!("a note went before what it leads to: {path}"));
         }
     }
-    if before.tells(world, machine)
+    if before.counts_there(world, machine)
         && let Some(name) = before.there.left(world, m).first()
     {
         world.broken(&format!("a note went before what it leads to: {name}"));

@@ -1,16 +1,16 @@
 //! What must hold of the store that machines share, once a capture is forgotten.
 
+use super::application::application;
 use super::captures::{has, needles};
 use super::gone::Gone;
 use super::story::NUMBERS;
-use super::trade::trade;
 use super::world::World;
 use crate::store::remote::readable;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
 
-/// What of a capture is in the shared store before it is forgotten, as far as its own records tell.
+/// What of a capture is in the shared store before it is forgotten, as far as its own records show.
 pub(super) struct There {
     /// Its objects.
     mine: BTreeSet<String>,
@@ -18,7 +18,7 @@ pub(super) struct There {
     broken: BTreeSet<String>,
     /// The contents of the capture and of all that comes of it, hexadecimal.
     contents: BTreeSet<String>,
-    put_by_others: u32,
+    put_elsewhere: u32,
 }
 
 impl There {
@@ -61,15 +61,15 @@ impl There {
                 }
             }
         }
-        let (own, others): (Vec<_>, Vec<_>) =
+        let (own, rest): (Vec<_>, Vec<_>) =
             records.iter().partition(|(name, _)| mine.contains(*name));
         let blob = |record: &crate::store::Record| crate::own::name("cas", record.content);
-        let stay: BTreeSet<String> = others.iter().map(|(_, record)| blob(record)).collect();
+        let stay: BTreeSet<String> = rest.iter().map(|(_, record)| blob(record)).collect();
         let blobs = own.iter().map(|(_, record)| blob(record));
         let blobs: Vec<String> = blobs.filter(|blob| !stay.contains(blob)).collect();
         mine.extend(blobs);
         if noted {
-            let made = (0..NUMBERS).map(|n| trade().expected(n, &photos));
+            let made = (0..NUMBERS).map(|n| application().expected(n, &photos));
             let made = made.flat_map(|made| {
                 made.iter()
                     .map(|bytes| blake3::hash(bytes))
@@ -81,13 +81,13 @@ impl There {
             mine,
             broken,
             contents,
-            put_by_others: world.put_by_others(m),
+            put_elsewhere: world.put_elsewhere(m),
         }
     }
 
     /// What of it is left, if nobody else put anything there meanwhile.
     pub(super) fn left(&self, world: &World, m: usize) -> Vec<String> {
-        if world.put_by_others(m) > self.put_by_others {
+        if world.put_elsewhere(m) > self.put_elsewhere {
             return vec![];
         }
         let objects = world.server.objects.lock().expect("one thread");
@@ -95,9 +95,9 @@ impl There {
         left.cloned().collect()
     }
 
-    /// It is gone now; what could not be read is gone or was said.
+    /// It is gone now; what could not be read is gone or was reported.
     pub(super) fn gone(&self, world: &World, m: usize, capture: usize) {
-        if world.put_by_others(m) > self.put_by_others {
+        if world.put_elsewhere(m) > self.put_elsewhere {
             // Somebody else put something there meanwhile.
             return;
         }
@@ -114,7 +114,9 @@ impl There {
                 .iter()
                 .any(|needle| has(&objects[name].0, needle))
             {
-                world.broken(&format!("forgotten, broken, left, and not said: {name}"));
+                world.broken(&format!(
+                    "forgotten, broken, left, and not reported: {name}"
+                ));
             }
         }
         let folder = world.machines[m].capture(capture).display().to_string();
@@ -170,7 +172,7 @@ pub(super) fn used(world: &World) {
 
 /// A machine uploads what it has: its own was forgotten.
 pub(super) fn uploaded(world: &World, m: usize) {
-    let lied = world.server.lies.load(Ordering::Relaxed) > 0;
+    let lied = world.server.false_answers.load(Ordering::Relaxed) > 0;
     let mut all = world.forgotten_there.borrow_mut();
     all.retain(|gone| gone.machine == m && !lied);
 }

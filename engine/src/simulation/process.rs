@@ -66,7 +66,7 @@ impl Process {
     }
 }
 
-/// Whoever is killed says nothing.
+/// A killed process prints nothing.
 pub(super) fn hush() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

@@ -1,7 +1,7 @@
 //! Programs that users may allow, whose processes are pretended: their folders, permissions and results are real.
 
+use super::application::{CATALOG, Results, Text};
 use super::seam;
-use super::trade::{CATALOG, Results, Text};
 use crate::foreign::{Pretended, pretend};
 use crate::graph::Graph;
 use crate::recipe::{Overrides, Pipeline};

@@ -9,9 +9,9 @@ use std::time::Duration;
 
 /// A story that goes on.
 pub(super) trait Around {
-    /// One step of a process: time passes, others act, it is killed, or the step fails.
+    /// One step of a process: time passes, other processes act, it is killed, or the step fails.
     fn step(&self, process: &Arc<Process>, grows: bool) -> Result<()>;
-    /// A stage works: time passes, and others may act; whether its process is alive.
+    /// A stage works: time passes, and other processes may act; whether its process is alive.
     fn works(&self, stage: &str, takes_s: u32, text: &[u8]) -> bool;
     /// A key signs something.
     fn signs(&self, key: &[u8; 32]);

@@ -13,7 +13,7 @@ pub(super) struct Server {
     pub(super) objects: Mutex<BTreeMap<String, (Vec<u8>, Duration)>>,
     pub(super) honest: AtomicBool,
     /// So many answers more are not true.
-    pub(super) lies: AtomicU64,
+    pub(super) false_answers: AtomicU64,
     pub(super) how: AtomicU64,
     /// So many were not.
     pub(super) lied: AtomicU64,
@@ -26,22 +26,23 @@ impl Server {
         Server {
             objects: Mutex::default(),
             honest: honest.into(),
-            lies: 0.into(),
+            false_answers: 0.into(),
             how: 0.into(),
             lied: 0.into(),
             harmed: false.into(),
         }
     }
 
-    fn lies(&self) -> Option<u64> {
-        let left = self.lies.load(Ordering::Relaxed);
-        self.lies.store(left.saturating_sub(1), Ordering::Relaxed);
+    fn false_answer(&self) -> Option<u64> {
+        let left = self.false_answers.load(Ordering::Relaxed);
+        self.false_answers
+            .store(left.saturating_sub(1), Ordering::Relaxed);
         self.lied.fetch_add(u64::from(left > 0), Ordering::Relaxed);
         (left > 0).then(|| self.how.load(Ordering::Relaxed))
     }
 }
 
-/// What is not true in place of some bytes; `None` if there is said to be nothing.
+/// What is not true in place of some bytes; `None` for the answer that there is nothing.
 pub(super) fn spoilt(bytes: &[u8], how: u64) -> Option<Vec<u8>> {
     let mut bytes = bytes.to_vec();
     let at = (how >> 8) as usize % bytes.len().max(1);
@@ -84,12 +85,11 @@ impl Objects for Asked {
         let found = self.ask(|server, _| {
             let objects = server.objects.lock().expect("one thread");
             let true_bytes = objects.get(name).map(|(bytes, _)| bytes.clone());
-            match (server.lies(), true_bytes) {
+            match (server.false_answer(), true_bytes) {
                 (Some(how), Some(bytes)) if how % 5 == 4 => {
                     // Another object's.
-                    let mut others = objects.values().cycle().skip(how as usize % 64);
-                    others
-                        .next()
+                    let mut rest = objects.values().cycle().skip(how as usize % 64);
+                    rest.next()
                         .map_or(Some(bytes), |(other, _)| Some(other.clone()))
                 }
                 (Some(how), Some(bytes)) => spoilt(&bytes, how),
@@ -129,7 +129,7 @@ impl Objects for Asked {
         self.ask(|server, _| {
             let objects = server.objects.lock().expect("one thread");
             let size = objects.get(name).map(|(bytes, _)| bytes.len() as u64);
-            match server.lies() {
+            match server.false_answer() {
                 Some(how) if how % 2 == 0 => None,
                 _ => size,
             }
@@ -152,7 +152,7 @@ impl Objects for Asked {
                 modified: SystemTime::UNIX_EPOCH + Duration::from_secs(2_000_000_000) + *at,
             };
             let mut all: Vec<Object> = fits.map(object).collect();
-            if let Some(how) = server.lies() {
+            if let Some(how) = server.false_answer() {
                 all.truncate(how as usize % (all.len() + 1));
             }
             all

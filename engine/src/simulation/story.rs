@@ -36,7 +36,7 @@ pub(super) struct Act {
     pub(super) fail: Option<u32>,
     /// The answer to what was asked in that step is lost.
     pub(super) lost: Option<u32>,
-    /// What others do before steps of it.
+    /// What other processes do before steps of it.
     pub(super) beside: Vec<(u32, Act)>,
 }
 
@@ -115,7 +115,7 @@ pub(super) enum What {
         how: u64,
     },
     /// So many answers of the shared store are not true.
-    Lies {
+    FalseAnswers {
         count: u64,
         how: u64,
     },
@@ -149,9 +149,9 @@ impl What {
 #[derive(Debug, Clone)]
 pub(super) struct Story {
     pub(super) machines: Vec<Setup>,
-    /// Whether the shared store keeps to what it says of creating.
+    /// Whether the shared store creates only what is not there.
     pub(super) honest: bool,
-    /// Whether the machines' clocks say that files changed long ago.
+    /// Whether by the machines' clocks files changed long ago.
     pub(super) late: bool,
     /// The same of a stranger's key as of the machines' keys.
     pub(super) strange_days: Option<i64>,

@@ -3,7 +3,7 @@
 use super::story::{Act, CAPTURES, NUMBERS, PROGRAMS, Setup, Story, Use, What};
 use proof::Dice;
 
-/// What belongs together: where one is frequent, so are the others that it needs to matter.
+/// What belongs together: where one is frequent, so is the rest that it needs to matter.
 #[derive(Clone, Copy)]
 enum Theme {
     Runs,
@@ -81,7 +81,7 @@ const KINDS: [Kind; 27] = [
         object: t.dice.bits(),
         how: t.dice.bits(),
     }),
-    (2, Network, |t| What::Lies {
+    (2, Network, |t| What::FalseAnswers {
         count: t.dice.bits() % 5,
         how: t.dice.bits(),
     }),
@@ -118,7 +118,7 @@ const USUAL_SHARE: f64 = 0.3;
 /// By what the weights of what belongs together are multiplied in a story with a mixture of its own.
 const THEME_FACTORS: [usize; 4] = [0, 1, 1, 6];
 
-/// The same, of one kind beside the others that it belongs to.
+/// The same, of one kind beside those that it belongs to.
 const KIND_FACTORS: [usize; 4] = [0, 1, 1, 2];
 
 struct Teller {

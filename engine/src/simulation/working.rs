@@ -1,8 +1,8 @@
 //! Runs and plans, by the engine's own functions.
 
+use super::application::{application, overrides};
 use super::oracle::{self, Made, Of};
 use super::process::{Hasty, Process, options};
-use super::trade::{overrides, trade};
 use super::world::{Planned, World};
 use crate::done::{Done, Status};
 use crate::graph::Graph;
@@ -29,11 +29,11 @@ pub(super) fn ran(
 
 /// Runs the pipeline of a number on a capture.
 pub(super) fn run(world: &World, process: &Arc<Process>, capture: usize, n: usize) -> String {
-    let (m, trade) = (process.machine, trade());
+    let (m, application) = (process.machine, application());
     let machine = &world.machines[m];
     machine.known.borrow_mut().touched(capture);
     world.wanted.set((capture, n));
-    match ran(world, process, (trade.graph(n), capture)) {
+    match ran(world, process, (application.graph(n), capture)) {
         Ok(Ok(outcome)) => {
             let made = Made {
                 machine: m,
@@ -71,15 +71,15 @@ fn planned(
 ) -> Result<(Planned, Plan), String> {
     let m = process.machine;
     world.machines[m].known.borrow_mut().touched(capture);
-    let (store, trade) = (world.store(process)?, trade());
+    let (store, application) = (world.store(process)?, application());
     let points = [(overrides(n), world.folders(m, capture))];
     let asked = strands::Asked {
-        pipeline: &trade.pipeline,
+        pipeline: &application.pipeline,
         points: &points,
         nodes: &[],
     };
     let plan = strands::planned(&asked, "sim 1", &store).map_err(text)?;
-    // Its name is of the folder of this story: not told.
+    // Its name is of the folder of this story: not shown.
     let none = || "no plan".to_owned();
     let name = plan.write(&store).map_err(|_| none())?;
     let (_, plan) = Plan::read(&store, &name).map_err(|_| none())?;
@@ -128,10 +128,10 @@ fn made(
     (planned, plan): (&Planned, &Plan),
     strand: usize,
 ) -> Result<String, String> {
-    let (m, trade) = (process.machine, trade());
+    let (m, application) = (process.machine, application());
     let (store, hasty) = (world.store(process)?, Hasty::default());
     let options = options(&world.machines[m].root);
-    let of = (plan, strand, &trade.pipeline);
+    let of = (plan, strand, &application.pipeline);
     let worked = strands::work_in(store, of, &options, &hasty, &hasty.0).map_err(text)?;
     let of = Made {
         machine: planned.machine,

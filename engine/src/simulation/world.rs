@@ -46,7 +46,7 @@ fn is_of_strangers(act: &Act) -> bool {
     beside || matches!(act.what, What::Forge { .. })
 }
 
-/// What does an act of a process, and says what came of it.
+/// Does an act of a process, and returns what came of it.
 type Does = fn(&World, &Act, &Arc<Process>) -> String;
 
 /// The world of a story.
@@ -69,7 +69,7 @@ pub(super) struct World {
     pub(super) plan: RefCell<Option<Planned>>,
     /// What of the shared store machines forgot, and nobody made since.
     pub(super) forgotten_there: RefCell<Vec<Gone>>,
-    /// What does an act, and says what came of it.
+    /// Does an act, and returns what came of it.
     act: Does,
     late: bool,
     log: RefCell<Vec<String>>,
@@ -142,14 +142,14 @@ impl World {
         self.keys.set(self.keys.get() + 1);
     }
 
-    /// How often others than a machine began to put something into the shared store.
-    pub(super) fn put_by_others(&self, m: usize) -> u32 {
-        let others = self
+    /// How often machines other than this one began to put something into the shared store.
+    pub(super) fn put_elsewhere(&self, m: usize) -> u32 {
+        let rest = self
             .machines
             .iter()
             .enumerate()
             .filter(|(other, _)| *other != m);
-        others.map(|(_, other)| other.uploads.get()).sum::<u32>() + self.forged.get()
+        rest.map(|(_, other)| other.uploads.get()).sum::<u32>() + self.forged.get()
     }
 
     /// How much time has passed.
@@ -166,7 +166,7 @@ impl World {
         done
     }
 
-    /// Somebody does something, while others are in the middle of what they do.
+    /// Somebody does something, while other processes are in the middle of what they do.
     pub(super) fn perform(&self, act: &Act, depth: usize) {
         let machine = &self.machines[act.machine];
         self.enter(act.machine, self.passed());
@@ -245,7 +245,7 @@ impl World {
         PROCESSES.with_borrow(|all| all.iter().any(|p| p.fail.is_some()))
     }
 
-    /// What others do before a step.
+    /// What other processes do before a step.
     pub(super) fn meanwhile(&self, process: &Arc<Process>, number: u32) {
         loop {
             let next = {

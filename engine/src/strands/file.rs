@@ -85,7 +85,7 @@ pub enum PlanError {
         "there is no plan {0} in {1}; `plan --strands` or `sweep --strands` makes one and prints its name"
     )]
     None(String, PathBuf),
-    /// It is not what it says.
+    /// It is damaged.
     #[error("the plan {0} is not whole ({1}): make it again with `plan --strands`")]
     Corrupt(String, String),
     /// Of another version.
@@ -202,7 +202,7 @@ impl Plan {
 /// The first digits of a name are enough, if they are so many.
 pub const SHORTEST: usize = 6;
 
-/// What every version of a plan says.
+/// What every version of a plan has.
 #[derive(Deserialize)]
 struct Maker {
     version: u32,

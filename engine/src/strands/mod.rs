@@ -7,7 +7,7 @@
 //!                       work: one strand, keys from actual inputs, hit → next, miss → make
 //! ```
 //!
-//! A plan says what is to be made and from what, not what is there: the same run gives the same plan,
+//! A plan lists what is to be made and from what, not what is there: the same run gives the same plan,
 //! and its name is its hash. To work on a strand twice, or on two machines, costs nothing but time.
 
 mod cut;

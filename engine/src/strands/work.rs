@@ -65,7 +65,7 @@ pub(super) fn recipe(graph: &Graph, nodes: &[usize]) -> String {
     let mut steady = Steady(Digest::default());
     for node in nodes {
         steady.line("node", &graph.nodes[*node].name);
-        key::tell_recipe(&graph.nodes[*node], &mut steady);
+        key::describe_recipe(&graph.nodes[*node], &mut steady);
     }
     steady.0.finish().to_hex().to_string()
 }

@@ -30,7 +30,7 @@ pub struct Table {
     against: Vec<([String; 2], Vec<Pairs>)>,
 }
 
-/// So many digits are kept: more differ between no two systems, but tell nothing. \[significant digits\]
+/// So many digits are kept: more differ between no two systems, but mean nothing. \[significant digits\]
 const DIGITS: usize = 6;
 
 fn rounded(x: f64) -> f64 {
@@ -187,7 +187,7 @@ mod tests {
     use crate::text::short;
 
     #[test]
-    fn what_moved_is_told_by_what_it_is_of_and_nothing_else() {
+    fn what_moved_is_named_by_what_it_is_of_and_nothing_else() {
         let group = |mean: f64| json!({ "groups": [{ "variant": "rigid", "params": { "sway.sway_mm": "8" }, "metrics": [{ "name": "score.error", "mean": mean }] }] });
         let table = Table {
             name: "s".into(),

@@ -127,7 +127,7 @@ fn recipe(graph: &Graph, nodes: &[String]) -> Hash {
     for i in crate::walk::all(graph, wanted) {
         let node = &graph.nodes[i];
         digest.line("node", &node.name);
-        key::tell_recipe(node, &mut digest);
+        key::describe_recipe(node, &mut digest);
         for (port, source) in node.ports.iter().zip(&node.from) {
             let name = match source {
                 None => "",

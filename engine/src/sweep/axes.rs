@@ -106,22 +106,22 @@ pub(crate) fn hypercube(over: &[OverParam], sample: Sample) -> Axis {
 ///
 /// # Errors
 ///
-/// The text says no values.
+/// The text gives no values.
 pub fn given(text: &str) -> Result<Axis, AxisError> {
     let wrong = || AxisError::Given(text.into());
-    let (place, values_said) = text.split_once('=').ok_or_else(wrong)?;
+    let (place, values_text) = text.split_once('=').ok_or_else(wrong)?;
     let (node, param) = place.trim().split_once('.').ok_or_else(wrong)?;
-    let listed = match range(values_said) {
+    let listed = match range(values_text) {
         Some(stretch) => values(&stretch),
-        None => csv::cells(values_said)
+        None => csv::cells(values_text)
             .iter()
             .map(|v| parse_value(v))
             .collect(),
     };
-    if listed.is_empty() || values_said.trim().is_empty() {
+    if listed.is_empty() || values_text.trim().is_empty() {
         return Err(wrong());
     }
-    let ends = values_said.split_once("..").map(|(from, to)| [from, to]);
+    let ends = values_text.split_once("..").map(|(from, to)| [from, to]);
     if ends.is_some_and(|ends| ends.iter().all(|e| e.trim().parse::<f64>().is_ok())) {
         return Err(AxisError::HowMany(text.into()));
     }
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn ranges_end_where_they_say_and_log_steps_are_equal_ratios() {
+    fn ranges_end_at_their_last_value_and_log_steps_are_equal_ratios() {
         assert_eq!(texts(&given("a.b=2..8/4").unwrap()), ["2", "4", "6", "8"]);
         assert_eq!(texts(&given("a.b=0..1/3").unwrap()), ["0.0", "0.5", "1.0"]);
         assert_eq!(

@@ -1,4 +1,4 @@
-//! What stands in a cell of a sweep's tables.
+//! What is in a cell of a sweep's tables.
 
 use super::points::plain;
 use super::row::{End, Row};
@@ -19,7 +19,7 @@ pub(super) fn columns(rows: &[Row]) -> Vec<(String, String)> {
     columns
 }
 
-/// What a row tells in a column.
+/// What a row has in a column.
 pub(super) fn cell(row: &Row, column: &str) -> Option<f64> {
     let metric = row.metrics.iter().find(|(name, _)| name == column);
     metric.and_then(|(_, metric)| Some(metric.as_ref()?.value))
@@ -49,7 +49,7 @@ pub(super) fn trouble(row: &Row) -> Option<String> {
     }
 }
 
-/// A number with as many digits as tell something.
+/// A number with as many digits as mean something.
 pub(super) fn short(x: f64) -> String {
     match x.abs() {
         _ if x.fract() == 0.0 && x.abs() < 1e12 => format!("{x:.0}"),

@@ -60,7 +60,7 @@ fn t_quantile(p: f64, free: usize) -> f64 {
 
 /// How often signs by chance give a sum of differences as far from nought as theirs is (Fisher 1935: without a difference
 /// either sign of each is as likely): of all signs, or, of more than sixteen pairs, of as many draws, always the same.
-/// Whether all were tried stands beside.
+/// Also whether all were tried.
 pub(super) fn sign_test(differences: &[f64]) -> (f64, bool) {
     let sum: f64 = differences.iter().sum();
     let size: f64 = differences.iter().map(|d| d.abs()).sum();
@@ -91,7 +91,7 @@ pub(super) fn sign_test(differences: &[f64]) -> (f64, bool) {
         for eight in tables.chunks(8) {
             let bits = bits().to_le_bytes();
             let part = eight.iter().zip(bits);
-            // The last table is of fewer than eight: the rest of its bits says nothing.
+            // The last table may be of fewer than eight: the rest of its bits are not used.
             drawn += part
                 .map(|(t, byte)| t[byte as usize % t.len()])
                 .sum::<f64>();

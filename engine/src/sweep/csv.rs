@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_is_read_cell_by_cell_and_says_where_it_breaks() {
+    fn a_table_is_read_cell_by_cell_and_errors_name_the_place() {
         let axis = parse("a.x, b.y\n# a comment\n1, \"p, q\"\n\n2.5, [1, 2]\n").unwrap();
         assert_eq!(
             axis.params,

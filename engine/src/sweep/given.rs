@@ -5,7 +5,7 @@ use super::paired::Pairs;
 use super::spread::{Group, Spread};
 use crate::text::{lines, table, to_the_right};
 
-/// Replicates: a row each set of params, mean ± standard deviation and how many tell it.
+/// Replicates: a row each set of params, mean ± standard deviation and how many have it.
 pub fn replicates_text(groups: &[Group]) -> String {
     let Some(first) = groups.first() else {
         return String::new();
@@ -30,7 +30,7 @@ pub fn replicates_text(groups: &[Group]) -> String {
     )
 }
 
-/// `1.52 ± 0.03`, and `(7: 1 refused)` where not all tell it.
+/// `1.52 ± 0.03`, and `(7: 1 refused)` where not all have it.
 fn cell(s: &Spread, group: &Group) -> String {
     let mean = s.mean.map_or("-".to_owned(), short);
     let sd = s.sd.map_or(String::new(), |sd| format!(" ± {}", short(sd)));

@@ -8,8 +8,8 @@
 //! ```text
 //! [sweep.NAME] ─ axes ─ points ─ whole ─ run ─ rows ─┬─ table: text, CSV, JSON
 //!   --sweep ──────┘        │                         ├─ page: plots
-//!   replicates: seeds ─────┤                         └─ told ─┬─ spread: replicates as one
-//!                       outlook: how many, how long           └─ paired: do two methods differ
+//!   replicates: seeds ─────┤                         └─ reported ─┬─ spread: replicates as one
+//!                       outlook: how many, how long               └─ paired: do two methods differ
 //! ```
 
 mod alike;
@@ -36,7 +36,7 @@ mod sweeping;
 mod table;
 pub(crate) mod whole;
 
-pub use crate::tells::{entries, untellable};
+pub use crate::numbers::{entries, missing_number};
 pub use alike::alike;
 pub use axis::{Axis, AxisError};
 pub use columns::{Cells, Column, typed};

@@ -18,7 +18,8 @@ pub struct Outlook {
     pub unknown: Vec<String>,
 }
 
-/// `last` tells how long a node took the last time \[s\]. Counts results: a node has as many as the axes that reach it have combinations.
+/// `last` gives how long a node took the last time \[s\]. Counts results: a node has as many as the axes that reach it
+/// have combinations.
 pub fn outlook(
     points: &Points,
     graph: &Graph,

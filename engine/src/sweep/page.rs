@@ -171,7 +171,7 @@ fn figure(plot: &Plot) -> String {
     )
 }
 
-/// What is the same at every point that tells it, and so not drawn.
+/// What is the same at every point that has it, and so not drawn.
 fn still(groups: &[Group]) -> String {
     let mut same = Vec::new();
     let spreads = groups.first().map_or(&[][..], |g| &g.spreads);

@@ -4,7 +4,7 @@ use super::chance::{deviation, interval, mean, sign_test};
 use super::reported::{Reported, metrics};
 use serde_json::{Value, json};
 
-/// Up to here a difference is said to be none of chance, one time in twenty wrongly.
+/// Up to here a difference is reported as not by chance, one time in twenty wrongly.
 const SURE: f64 = 0.05;
 
 /// A metric of two sides over their common replicates.
@@ -16,9 +16,9 @@ pub struct Pairs {
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// How many pairs both tell.
+    /// How many pairs have it on both sides.
     pub n: usize,
-    /// How many only the first tells, only the second, neither: refused or failed there.
+    /// How many have it only on the first, only on the second, on neither side: refused or failed there.
     pub alone: [usize; 3],
     /// Means of both over the pairs.
     pub means: Option<[f64; 2]>,
@@ -33,11 +33,11 @@ pub struct Pairs {
 }
 
 impl Pairs {
-    /// Whether they differ by more than chance gives one time in twenty; `None` of fewer pairs than can tell it.
+    /// Whether they differ by more than chance gives one time in twenty; `None` of fewer pairs than can show it.
     pub fn differ(&self) -> Option<bool> {
         // Of five pairs the least that a test of all signs can give is 2 / 32.
-        let telling = 2.0 / libm::exp2(self.n.min(60) as f64) <= SURE;
-        self.p.filter(|_| telling).map(|p| p <= SURE)
+        let enough = 2.0 / libm::exp2(self.n.min(60) as f64) <= SURE;
+        self.p.filter(|_| enough).map(|p| p <= SURE)
     }
 
     /// For other programs.
@@ -58,7 +58,7 @@ impl Pairs {
 /// Params, and the points of both sides that have them.
 type Matched<'a> = (&'a [(String, String)], Vec<(&'a Reported, &'a Reported)>);
 
-/// The second side against the first: of each set of params with replicates one entry a metric; where no point says a
+/// The second side against the first: of each set of params with replicates one entry a metric; where no point has a
 /// replicate, all points that both have are the pairs.
 pub fn paired(first: &[Reported], second: &[Reported]) -> Vec<Pairs> {
     let repeated = first.iter().chain(second).any(|t| t.replicate.is_some());
@@ -126,7 +126,7 @@ pub fn of_variants(all: &[Reported]) -> Vec<([String; 2], Vec<Pairs>)> {
         let own = all.iter().filter(|t| t.variant.as_ref() == Some(variant));
         own.cloned().collect()
     };
-    let Some((first, others)) = variants.split_first() else {
+    let Some((first, rest)) = variants.split_first() else {
         return vec![];
     };
     let base = of(first);
@@ -134,7 +134,7 @@ pub fn of_variants(all: &[Reported]) -> Vec<([String; 2], Vec<Pairs>)> {
         let names = [(*first).clone(), (*other).clone()];
         (names, paired(&base, &of(other)))
     };
-    others.iter().map(against).collect()
+    rest.iter().map(against).collect()
 }
 
 #[cfg(test)]
@@ -184,7 +184,7 @@ mod tests {
         assert_eq!(pairs.len(), 1);
         let p = &pairs[0];
         assert_eq!((p.n, p.alone), (5, [1, 1, 1]));
-        // All five fall: 2 of 32 signs are as far, which cannot tell it apart from chance.
+        // All five fall: 2 of 32 signs are as far, which cannot be distinguished from chance.
         assert_eq!((p.p, p.exact, p.differ()), (Some(0.0625), true, None));
         proof::near(p.effect.unwrap().0, -0.46, 1e-12);
     }

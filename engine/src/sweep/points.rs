@@ -31,7 +31,7 @@ pub struct Point {
 }
 
 impl Points {
-    /// A grid; what is upstream in the pipeline varies slowest. A param that stands in two axes
+    /// A grid; what is upstream in the pipeline varies slowest. A param that is in two axes
     /// keeps the last.
     pub fn new(graph: &Graph, variants: Vec<Option<String>>, axes: Vec<Axis>) -> Points {
         let mut kept: Vec<Axis> = Vec::new();

@@ -1,4 +1,4 @@
-//! What a point tells, as statistics need it: out of a row, or read back from a `sweep.json`.
+//! The numbers of a point, as statistics need them: out of a row, or read back from a `sweep.json`.
 
 use super::cells::params;
 use super::row::{End, Row};

@@ -1,11 +1,11 @@
-//! What came of a point, and what its row tells.
+//! What came of a point, and what its row shows.
 
 use super::points::Point;
 use super::sweeping::Sweeping;
 use crate::done::Done;
 use crate::graph::{Bound, Graph};
+use crate::numbers::{BESIDE, ENDS};
 use crate::outcome::Outcome;
-use crate::tells::{BESIDE, ENDS};
 use crate::walk::Status;
 use stage::{Hash, Metric};
 use std::collections::BTreeMap;
@@ -59,7 +59,7 @@ pub struct Row {
     pub alone: f64,
     /// What the nodes took that ran for it. \[s\]
     pub work: f64,
-    /// How long no stage ran: to open and plan, to hash, keep and read, to tell. \[s\]
+    /// How long no stage ran: to open and plan, to hash, keep and read, to report. \[s\]
     pub engine: f64,
 }
 
@@ -82,7 +82,7 @@ impl Row {
         }
     }
 
-    /// What came of its nodes, and what they tell; `wanted` are those that are asked.
+    /// What came of its nodes, and their numbers; `wanted` are those that are asked.
     pub(super) fn fill(
         &mut self,
         sweeping: &Sweeping<'_>,
@@ -125,7 +125,7 @@ impl Row {
     }
 }
 
-/// What a row says of its point.
+/// What a row shows of its point.
 struct Cells {
     /// What was asked for, where it is known.
     metrics: Vec<(String, Option<Metric>)>,
@@ -135,7 +135,7 @@ struct Cells {
     known: Vec<String>,
 }
 
-/// What a node tells without its result being read.
+/// The numbers of a node without its result being read.
 fn plain(done: &Done) -> Vec<Metric> {
     let spent = done.spent;
     let values = [
@@ -189,7 +189,7 @@ fn metrics(
     for asked in sweeping.tell.iter().filter(|t| !t.starts_with("error.")) {
         let (node, name) = asked.split_once('.').unwrap_or((asked, ""));
         let find = |all: Vec<Metric>| all.into_iter().find(|m| m.name == name);
-        // The result itself is read only for what no metric says.
+        // The result itself is read only for what no metric gives.
         let metric = graph
             .node(node)
             .and_then(|node| find(plain(node)).or_else(|| find(of(node))));

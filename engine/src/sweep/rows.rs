@@ -36,7 +36,7 @@ pub(super) struct Rows<'a> {
     points: std::iter::Peekable<std::vec::IntoIter<Entry>>,
     /// One entry a node of the whole.
     nodes: Vec<Option<Done>>,
-    /// Whether the node stands in a row already: it is found in all others.
+    /// Whether the node is in a row already: in all later ones it is found.
     reported: Vec<bool>,
     /// How many nodes of the next point are known to be done.
     done: usize,
@@ -72,18 +72,18 @@ impl<'a> Rows<'a> {
     pub(super) fn hear(
         &mut self,
         heard: &Receiver<(usize, Done)>,
-        tell: &mut impl FnMut(&Row),
+        report: &mut impl FnMut(&Row),
     ) -> Result<(), EngineError> {
-        self.whole(tell)?;
+        self.whole(report)?;
         while let Ok((node, done)) = heard.recv() {
             self.nodes[node] = Some(done);
-            self.whole(tell)?;
+            self.whole(report)?;
         }
         Ok(())
     }
 
     /// The rows of the next points all of whose nodes are done.
-    fn whole(&mut self, tell: &mut impl FnMut(&Row)) -> Result<(), EngineError> {
+    fn whole(&mut self, report: &mut impl FnMut(&Row)) -> Result<(), EngineError> {
         while let Some((_, member)) = self.points.peek() {
             if let Ok(member) = member {
                 let open = |place: &Option<usize>| place.is_some_and(|p| self.nodes[p].is_none());
@@ -97,7 +97,7 @@ impl<'a> Rows<'a> {
                 }
             }
             let (point, member) = self.points.next().expect("bug: peeked");
-            self.row(point, member, tell)?;
+            self.row(point, member, report)?;
         }
         Ok(())
     }
@@ -107,7 +107,7 @@ impl<'a> Rows<'a> {
     pub(super) fn rest(
         mut self,
         nodes: Vec<Option<Done>>,
-        tell: &mut impl FnMut(&Row),
+        report: &mut impl FnMut(&Row),
     ) -> Result<Vec<Row>, EngineError> {
         self.nodes = nodes;
         let mut stopped = false;
@@ -122,7 +122,7 @@ impl<'a> Rows<'a> {
             };
             let is_stopped = member.as_ref().is_ok_and(cancelled);
             if !is_stopped || !stopped {
-                self.row(point, member, tell)?;
+                self.row(point, member, report)?;
             }
             stopped |= is_stopped;
         }
@@ -134,7 +134,7 @@ impl<'a> Rows<'a> {
         &mut self,
         point: Point,
         member: Result<Member, String>,
-        tell: &mut impl FnMut(&Row),
+        report: &mut impl FnMut(&Row),
     ) -> Result<(), EngineError> {
         let mut row = Row::new(point, End::Stopped);
         match member {
@@ -146,7 +146,7 @@ impl<'a> Rows<'a> {
         let busy = self.common.busy.seconds(self.since, now);
         row.engine = (row.seconds - busy).max(0.0);
         self.since = now;
-        tell(&row);
+        report(&row);
         self.rows.push(row);
         Ok(())
     }

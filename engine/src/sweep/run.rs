@@ -11,17 +11,17 @@ use crate::journal::Journal;
 use crate::run_one::{Pool, Surroundings};
 use crate::session::{self, EngineError};
 use crate::store::Store;
-use crate::walk::{Failures, Job, walk_told};
+use crate::walk::{Failures, Job, walk_reported};
 use std::iter::Peekable;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::channel;
 use std::time::Instant;
 
-/// So many nodes of points, shared or not, are held at a time.
+/// So many nodes of points, shared or not, are in memory at a time.
 const MOST_NODES: usize = 8192;
 
 /// Runs the points' nodes side by side; `done` gets each row in the points' order, as soon as all
-/// before it are there. A point that fails does not stop the others, and what failed is not tried
+/// before it are there. A point that fails does not stop the rest, and what failed is not tried
 /// again for the points that share it.
 ///
 /// # Errors
@@ -55,7 +55,7 @@ struct Batch {
     whole: Whole,
 }
 
-/// The next points, as many as are held at a time.
+/// The next points, as many as are in memory at a time.
 fn gathered(
     sweeping: &Sweeping<'_>,
     store: &Store,
@@ -93,7 +93,7 @@ impl Batch {
         store: &Store,
         failures: &Failures,
         (start, after): (Instant, usize),
-        tell: &mut impl FnMut(&Row),
+        report: &mut impl FnMut(&Row),
     ) -> Result<Vec<Row>, EngineError> {
         let id = store.next_run()?;
         let busy = Busy::new(sweeping.watch);
@@ -116,7 +116,7 @@ impl Batch {
             after,
         };
         let Some(graph) = graph else {
-            return Rows::new(common, self.points, 0, start, id).rest(vec![], tell);
+            return Rows::new(common, self.points, 0, start, id).rest(vec![], report);
         };
         let job = Job {
             graph: &graph,
@@ -132,12 +132,12 @@ impl Batch {
         std::thread::scope(|scope| {
             let walk = scope.spawn(move || {
                 let reported = |node: usize, done: &Done| _ = sender.send((node, done.clone()));
-                walk_told(job, around, &reported)
+                walk_reported(job, around, &reported)
             });
-            rows.hear(&heard, tell)?;
+            rows.hear(&heard, report)?;
             let nodes = walk.join().expect("bug: a worker panicked");
             store.save_index();
-            rows.rest(nodes, tell)
+            rows.rest(nodes, report)
         })
     }
 }

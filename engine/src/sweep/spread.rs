@@ -28,11 +28,11 @@ pub struct Spread {
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// How many tell it.
+    /// How many have it.
     pub n: usize,
     /// How many came to their end and do not: it was refused.
     pub refused: usize,
-    /// Mean of those that tell it.
+    /// Mean of those that have it.
     pub mean: Option<f64>,
     /// Standard deviation, by n − 1.
     pub sd: Option<f64>,

@@ -22,7 +22,7 @@ pub struct Sweeping<'a> {
     pub folders: &'a [(String, PathBuf)],
     /// How to run.
     pub options: &'a Options,
-    /// `node.metric`; none is all that the wanted nodes tell.
+    /// `node.metric`; none is all that the wanted nodes have.
     pub tell: &'a [String],
     /// Errors of a point's results against ground truth, as `error.…`.
     pub errors: Option<&'a Errors<'a>>,

@@ -8,7 +8,7 @@ use stage::{Files, Hash};
 use std::collections::HashMap;
 use std::path::PathBuf;
 
-/// A point's graph, and where its nodes and inputs stand in the whole.
+/// A point's graph, and where its nodes and inputs are in the whole.
 pub(crate) struct Member {
     pub(crate) graph: Graph,
     /// The nodes that are asked.
@@ -25,7 +25,7 @@ pub(crate) struct Whole {
     nodes: Vec<Bound>,
     /// The place of a node by its recipe and what it reads.
     known: HashMap<Hash, usize>,
-    /// Each with its folder, as it was said.
+    /// Each with its folder, as it was given.
     inputs: Vec<(InputDecl, PathBuf)>,
     /// The files of each input.
     pub(crate) files: Vec<Files>,
@@ -85,7 +85,7 @@ impl Whole {
             .collect())
     }
 
-    /// Puts a graph to the others.
+    /// Adds a graph whose inputs are read.
     fn put(&mut self, graph: Graph, wanted: Vec<usize>, inputs: Vec<usize>) -> Member {
         let needed = crate::walk::needed(&graph, &wanted);
         let mut places: Vec<Option<usize>> = vec![None; graph.nodes.len()];
@@ -136,7 +136,7 @@ impl Whole {
 /// What a node does and from where it reads, as one hash.
 fn recipe(node: &Bound, from: &[Option<Source>]) -> Hash {
     let mut digest = Digest::default();
-    key::tell_recipe(node, &mut digest);
+    key::describe_recipe(node, &mut digest);
     for (port, source) in node.ports.iter().zip(from) {
         let (what, at) = match source {
             None => ("nothing", 0),

@@ -34,7 +34,7 @@ const ALL: ABI = ABI::V6;
 ///
 /// The kernel cannot, in words. Then something may be kept already: the process is to end.
 pub(crate) fn confine(given: &Given) -> Result<bool, String> {
-    close_others();
+    close_inherited();
     let signals = files(given).map_err(|why| format!("Landlock: {why}"))?;
     let signals = signals.ok_or("Landlock: the kernel does not know it, or it is off")?;
     calls::refuse(given.network).map_err(|why| format!("seccomp: {why}"))?;
@@ -70,7 +70,7 @@ fn files(given: &Given) -> Result<Option<bool>, RulesetError> {
 }
 
 /// Closes what this process was started with beside the three usual descriptors.
-fn close_others() {
+fn close_inherited() {
     let open = std::fs::read_dir("/proc/self/fd").into_iter().flatten();
     let number = |entry: std::io::Result<std::fs::DirEntry>| {
         entry.ok()?.file_name().to_str()?.parse::<i32>().ok()

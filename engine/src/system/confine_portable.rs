@@ -13,7 +13,7 @@ pub(crate) struct Given {
     pub(crate) network: bool,
 }
 
-/// Says that there is no such thing.
+/// Refuses: there is no such thing here.
 ///
 /// # Errors
 ///

@@ -20,7 +20,7 @@ pub(crate) struct Met {
     pub(crate) kind: Option<FileKind>,
     /// Whether it is a link.
     pub(crate) link: bool,
-    /// Its size and what tells a change.
+    /// Its size and what shows a change.
     pub(crate) stamp: super::Stamp,
 }
 

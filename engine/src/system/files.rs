@@ -33,7 +33,7 @@ pub(crate) fn permit(path: &Path, what: Use) -> Result<()> {
     system::permit(path, what)
 }
 
-/// Whether its owner may start a file; everything may be where modes do not say.
+/// Whether its owner may start a file; everything may be where the system has no modes.
 pub(crate) fn can_start(meta: &Metadata) -> bool {
     system::can_start(meta)
 }

@@ -67,7 +67,7 @@ pub fn is_alive(id: &str) -> bool {
     id.parse().is_ok_and(stage::process::is_alive)
 }
 
-/// What a process may take on this machine without pushing others out; none if the system does not say.
+/// What a process may take on this machine without pushing other processes out; none if the system does not report it.
 /// \[bytes\]
 pub(crate) fn free_memory() -> Option<u64> {
     let number = |text: &str| text.split_whitespace().next()?.parse::<u64>().ok();
@@ -84,7 +84,7 @@ pub(crate) fn free_memory() -> Option<u64> {
 }
 
 /// What each thread of this process had of the processor, by its number, which grows; none if the system does
-/// not say. \[s\]
+/// not report it. \[s\]
 pub(crate) fn thread_times() -> Option<Vec<(u64, f64)>> {
     let folder = std::fs::read_dir("/proc/self/task").ok()?;
     let one = |entry: std::fs::DirEntry| {
@@ -113,7 +113,7 @@ pub(crate) fn processor_seconds() -> Option<f64> {
 /// Linux counts times of processes in hundredths of a second for everybody who reads them (proc(5), USER_HZ). \[1/s\]
 const TICKS: f64 = 100.0;
 
-/// Memory that a process has now, by its number or `self`; none if the system does not say. \[bytes\]
+/// Memory that a process has now, by its number or `self`; none if the system does not report it. \[bytes\]
 pub(crate) fn resident_bytes(process: &str) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"))?;

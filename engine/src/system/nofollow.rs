@@ -17,8 +17,8 @@ pub(crate) use below::{Folder, empty, fresh, has_hole, open_file, remove_all, sa
 #[path = "nofollow_below.rs"]
 mod below;
 
-/// A folder below another, one name after the next, none of them a link. Where the first one lies is
-/// the user's to say, by a link too.
+/// A folder below another, one name after the next, none of them a link. Where the first one is the
+/// user decides, by a link too.
 pub(crate) fn folder(root: &Path, names: &[&str]) -> Result<Folder> {
     let mut at = openat(CWD, root, FOLDER, Mode::empty())?;
     for name in names {
@@ -97,7 +97,7 @@ fn found(mut dir: Dir, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Result<
     Ok(found)
 }
 
-/// Whether an error says that there is no such folder, but a link or something else, or nothing.
+/// Whether an error means that there is no such folder, but a link or something else, or nothing.
 pub(crate) fn is_absent(why: &std::io::Error) -> bool {
     let none = [Errno::NOENT, Errno::NOTDIR, Errno::LOOP];
     none.iter()

@@ -111,7 +111,7 @@ pub(crate) fn open_file(at: &Folder, path: &str) -> Result<File> {
     }
 }
 
-/// Whether less of a file is on the disk than its size says; not where the system does not tell.
+/// Whether less of a file is on the disk than its size promises; false where the system has no answer.
 pub(crate) fn has_hole(file: &File, size: u64) -> bool {
     let hole = seek(file, SeekFrom::Hole(0));
     let back = seek(file, SeekFrom::Start(0));

@@ -20,8 +20,8 @@ fn entered(path: PathBuf) -> Result<PathBuf> {
     }
 }
 
-/// A folder below another, one name after the next, none of them a link. Where the first one lies is
-/// the user's to say, by a link too.
+/// A folder below another, one name after the next, none of them a link. Where the first one is the
+/// user decides, by a link too.
 pub(crate) fn folder(root: &Path, names: &[&str]) -> Result<Folder> {
     let mut at = root.canonicalize()?;
     for name in names {
@@ -76,7 +76,7 @@ pub(crate) fn inside(
     Ok(found)
 }
 
-/// Whether an error says that there is no such folder, but a link or something else, or nothing.
+/// Whether an error means that there is no such folder, but a link or something else, or nothing.
 pub(crate) fn is_absent(why: &Error) -> bool {
     [ErrorKind::NotFound, ErrorKind::NotADirectory].contains(&why.kind())
 }
@@ -195,7 +195,7 @@ pub(crate) fn open_file(at: &Folder, path: &str) -> Result<File> {
     }
 }
 
-/// Whether less of a file is on the disk than its size says; the system is not asked.
+/// Whether less of a file is on the disk than its size promises; the system is not asked.
 pub(crate) fn has_hole(_file: &File, _size: u64) -> bool {
     false
 }

@@ -4,12 +4,12 @@
 //! `ENGINE_CALLS=1` takes every call, `ENGINE_CALLS=7` every seventh, from `ENGINE_CALLS_FIRST` on.
 #![cfg(all(target_os = "linux", target_arch = "x86_64"))]
 
+#[path = "../../examples/words/application.rs"]
+mod application;
 #[path = "../../examples/words/nouns.rs"]
 mod nouns;
 mod place;
 mod traced;
-#[path = "../../examples/words/trade.rs"]
-mod trade;
 
 use place::{NEEDLES, OTHER, Place};
 use std::io::{BufRead, Write};
@@ -29,7 +29,7 @@ fn child() {
     out.flush().unwrap();
     let _ = std::io::stdin().lock().read_line(&mut String::new());
     let words = var("CALLS_WORDS");
-    let code = command::run(&trade::WORDS, words.split('\n').map(str::to_owned));
+    let code = command::run(&application::WORDS, words.split('\n').map(str::to_owned));
     std::process::exit(code.into());
 }
 

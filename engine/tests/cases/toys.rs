@@ -66,7 +66,7 @@ impl Stage for Clean {
     }
 }
 
-/// Adds a number; tells ten times the number; fails at 13.
+/// Adds a number; its metric is ten times the number; fails at 13.
 struct Mid;
 impl Stage for Mid {
     const NAME: &'static str = "toy.mid";
@@ -103,7 +103,7 @@ impl Stage for Half {
     }
 }
 
-/// Says that it needs more than there is; tells whether another ran beside it.
+/// Declares that it needs more than there is; its metric is how many more run beside it.
 struct Big;
 impl Stage for Big {
     const NAME: &'static str = "toy.big";
@@ -144,7 +144,7 @@ impl Stage for Unsteady {
     }
 }
 
-/// Works file by file, then in steps; tells how many files and steps it did now. Fails at step 13.
+/// Works file by file, then in steps; its metrics are how many files and steps it did now. Fails at step 13.
 struct Parts;
 impl Stage for Parts {
     const NAME: &'static str = "toy.parts";
@@ -224,7 +224,7 @@ const STAGES: &[&dyn AnyStage] = &[
 /// Their catalog.
 pub(crate) static CATALOG: Catalog = Catalog {
     program: "toys 1",
-    rooms: &[STAGES],
+    stages: &[STAGES],
     pipelines: &[],
     kinds: &[],
     importers: &[],

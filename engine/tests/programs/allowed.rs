@@ -1,6 +1,6 @@
 //! Nothing runs that the user has not allowed, and what was allowed is that and nothing else.
 
-use crate::trade::{Nobody, Place, shell};
+use crate::application::{Nobody, Place, shell};
 use engine::plan::{State, plan};
 use std::os::unix::fs::PermissionsExt;
 
@@ -34,7 +34,7 @@ fn nothing_runs_that_was_not_allowed() {
     );
     place.allow(&place.graph(NODE));
     runs(&place, NODE, &[]).unwrap();
-    // Numbers may change, what may say anything may not.
+    // Numbers may change, free text may not.
     runs(&place, NODE, &["x.n=2"]).unwrap();
     runs(&place, NODE, &["x.word=b"]).unwrap_err();
     runs(&place, &NODE.replace("\"sh\"", "\"dash\""), &[]).unwrap_err();
@@ -97,7 +97,7 @@ fn to_stay_is_a_permission_of_its_own() {
 }
 
 #[test]
-fn what_it_may_read_and_what_lies_at_its_place_are_parts_of_a_permission() {
+fn what_it_may_read_and_what_is_at_its_place_are_parts_of_a_permission() {
     let place = Place::new();
     place.write("tool", "#!/bin/sh\necho one > $1\n");
     let tool = place.path("tool");
@@ -113,7 +113,7 @@ fn what_it_may_read_and_what_lies_at_its_place_are_parts_of_a_permission() {
 }
 
 #[test]
-fn a_file_of_a_nodes_is_no_link_to_what_lies_elsewhere() {
+fn a_file_of_a_nodes_is_no_link_to_what_is_elsewhere() {
     let place = Place::new();
     let elsewhere = tempfile::NamedTempFile::new().unwrap();
     std::os::unix::fs::symlink(elsewhere.path(), place.path("model.bin")).unwrap();

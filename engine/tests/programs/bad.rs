@@ -1,7 +1,7 @@
-//! Programs that fail, in every way there is: each is told, nothing of them is kept, nothing stays.
+//! Programs that fail, in every way there is: each is reported, nothing of them is kept, nothing stays.
 
+use crate::application::{Nobody, Place, done, left, shell};
 use crate::node::installed;
-use crate::trade::{Nobody, Place, done, left, shell};
 use engine::foreign::Sandbox;
 use engine::walk::Status;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ fn runs(word: &str) -> bool {
 }
 
 #[test]
-fn every_way_to_fail_is_told() {
+fn every_way_to_fail_is_reported() {
     let place = Place::new();
     place.write("none.sh", "exit 0\n");
     let cases = [
@@ -147,7 +147,7 @@ fn who_is_stopped_takes_children_along_and_is_no_failure() {
 }
 
 #[test]
-fn an_identity_that_changes_while_the_program_runs_is_told_and_nothing_is_kept() {
+fn an_identity_that_changes_while_the_program_runs_is_reported_and_nothing_is_kept() {
     let place = Place::new();
     let tool = installed(&place, "1\n");
     let nodes = shell("sleep 1; echo a > $1", &format!("identity = [{tool:?}]\n"));
@@ -172,7 +172,7 @@ fn an_identity_that_changes_while_the_program_runs_is_told_and_nothing_is_kept()
 }
 
 #[test]
-fn an_identity_that_fails_is_told_before_anything_runs() {
+fn an_identity_that_fails_is_reported_before_anything_runs() {
     let place = Place::new();
     let graph = place.graph(&shell(
         "echo a > $1",
@@ -190,7 +190,7 @@ fn an_identity_that_fails_is_told_before_anything_runs() {
 }
 
 #[test]
-fn a_file_that_changes_after_the_pipeline_was_read_is_told() {
+fn a_file_that_changes_after_the_pipeline_was_read_is_reported() {
     let place = Place::new();
     place.write("a.sh", "echo a > $1\n");
     let nodes = "[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [\"sh\", \"{here}/a.sh\", \"{out}\"]\nfiles = [\"a.sh\"]\n";
@@ -206,7 +206,7 @@ fn a_file_that_changes_after_the_pipeline_was_read_is_told() {
 }
 
 #[test]
-fn mistakes_of_a_program_are_told_with_their_places() {
+fn mistakes_of_a_program_are_reported_with_their_places() {
     let place = Place::new();
     let cases = [
         (

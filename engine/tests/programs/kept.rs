@@ -1,6 +1,6 @@
-//! A program that stays for the run: told of each job, ended at last, whatever it does.
+//! A program that stays for the run: given each job, ended at last, whatever it does.
 
-use crate::trade::{Nobody, Place, Text, left};
+use crate::application::{Nobody, Place, Text, left};
 use engine::Options;
 use engine::recipe::Overrides;
 use engine::sweep::{self, End, Points, Sweeping, axes};
@@ -94,7 +94,7 @@ fn one_program_serves_all_points_and_ends_with_them() {
 }
 
 #[test]
-fn every_way_to_fail_is_told_and_nobody_stays() {
+fn every_way_to_fail_is_reported_and_nobody_stays() {
     let place = Place::new();
     let nodes = node(&place);
     let failure = |n: i32| place.failure(&nodes.replace("n = 10", &format!("n = {n}")));

@@ -1,7 +1,7 @@
 //! A program is a node as any other: what it gets, its key, its progress.
 
+use crate::application::{Nobody, Pages, Place, Text, done, is_made, left, shell};
 use crate::sandboxed::full_sandbox;
-use crate::trade::{Nobody, Pages, Place, Text, done, is_made, left, shell};
 use engine::plan::{State, plan};
 use engine::store::keeper::{Budget, gc};
 use engine::walk::Watch;
@@ -120,7 +120,7 @@ fn a_program_gets_a_cleared_environment_and_a_folder_of_its_own() {
 }
 
 #[test]
-fn progress_is_told_and_does_not_stand_among_what_was_said() {
+fn progress_is_shown_and_is_not_among_the_last_lines() {
     #[derive(Default)]
     struct Heard(Mutex<Vec<usize>>);
     impl Watch for Heard {

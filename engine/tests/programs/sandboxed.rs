@@ -1,11 +1,11 @@
 //! What a program cannot do in the sandbox, whoever it is started by. Each line here got through once.
 
-use crate::trade::{Nobody, Place, left, shell};
+use crate::application::{Nobody, Place, left, shell};
 use engine::foreign::{Sandbox, sandbox};
 use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
 
-/// Whether there is a full sandbox here; said where there is none.
+/// Whether there is a full sandbox here; printed where there is none.
 #[track_caller]
 pub(crate) fn full_sandbox() -> bool {
     match sandbox() {
@@ -17,7 +17,7 @@ pub(crate) fn full_sandbox() -> bool {
     }
 }
 
-/// What a line of shell says.
+/// What a line of shell prints.
 fn printed(place: &Place, line: &str) -> String {
     place.text(&shell(&format!("({line}) > \"$1\" 2>&1; true"), ""))
 }
@@ -133,17 +133,17 @@ fn what_was_not_declared_is_not_there() {
     let path = std::env::var_os("PATH").unwrap();
     let on_path = |at: &PathBuf| std::env::split_paths(&path).any(|folder| folder.starts_with(at));
     let home = std::fs::read_dir(std::env::home_dir().unwrap()).unwrap();
-    let mut others: Vec<PathBuf> = home.map(|entry| entry.unwrap().path()).collect();
-    others.retain(|at| !on_path(at));
-    let others = others.iter().map(|at| format!(" -e '{}'", at.display()));
-    let others = format!(
+    let mut hidden: Vec<PathBuf> = home.map(|entry| entry.unwrap().path()).collect();
+    hidden.retain(|at| !on_path(at));
+    let hidden = hidden.iter().map(|at| format!(" -e '{}'", at.display()));
+    let hidden = format!(
         "test{} -e /no/such/file",
-        others.map(|test| test + " -o").collect::<String>()
+        hidden.map(|test| test + " -o").collect::<String>()
     );
     for line in [
         format!("cat {}", file.display()),
         format!("ls -d {}/cas", cache.display()),
-        others,
+        hidden,
         "cat /etc/shadow".to_owned(),
         "cat /etc/hostname".to_owned(),
         "grep -v nobody /etc/passwd | grep root".to_owned(),
@@ -258,7 +258,7 @@ fn what_is_declared_to_be_read_is_there_and_its_change_is_noticed() {
     let found = |nodes: &str| {
         let graph = place.graph(nodes);
         let outcome = place.made(&graph);
-        !crate::trade::is_made(&outcome, &graph, "x")
+        !crate::application::is_made(&outcome, &graph, "x")
     };
     assert!(found(&nodes), "nothing changed");
     if full_sandbox() {

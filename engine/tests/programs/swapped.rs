@@ -1,10 +1,10 @@
 //! A program that stays, and exchanges what is in its folder between two jobs.
 
-use crate::trade::{Place, Text};
+use crate::application::{Place, Text};
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
-/// Does its first job, and then exchanges its folder for a link to another one, or for what `exchange` says.
+/// Does its first job, and then exchanges its folder for a link to another one, or for what `exchange` makes.
 fn stays(place: &Place, exchange: &str) -> String {
     let program = format!(
         "#!/usr/bin/python3\nimport sys, json, os, time\nprint(json.dumps({{'ready': True}}), flush=True)\n\
@@ -42,7 +42,7 @@ fn jobs(place: &Place, program: &str) -> Vec<Result<String, String>> {
         &[],
         &all,
         &options,
-        &crate::trade::Nobody,
+        &crate::application::Nobody,
         &false.into(),
     );
     let outcome = outcome.unwrap();
@@ -78,7 +78,7 @@ fn a_link_in_place_of_a_folder_empties_nothing() {
         let program = stays(&place, &format!("time.sleep(0.05); {exchange}"));
         let _ = jobs(&place, &program);
         assert!(whole(&victim), "{i}");
-        assert_eq!(crate::trade::left(&place.path("cache")).len(), 0, "{i}");
+        assert_eq!(crate::application::left(&place.path("cache")).len(), 0, "{i}");
         let _ = std::fs::remove_dir_all(place.path("cache"));
     }
 }

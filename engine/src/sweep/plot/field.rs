@@ -1,9 +1,9 @@
-//! What plots are drawn from: points with their params and metrics, axes, and what metrics are held against.
+//! What plots are drawn from: points with their params and metrics, axes, and what metrics are compared with.
 
 use super::plotted::{Reference, References};
 use super::scale::Scale;
+use crate::numbers::ENDS;
 use crate::sweep::spread::Group;
-use crate::tells::ENDS;
 
 /// A metric: its name, unit, and the axis of all its plots.
 pub(super) struct Metric {
@@ -105,7 +105,7 @@ impl Field {
     }
 
     /// What else differs between points than a param: the name of a line.
-    pub(super) fn others(&self, point: &Point, but: &[usize]) -> String {
+    pub(super) fn rest(&self, point: &Point, but: &[usize]) -> String {
         let each = self.params.iter().zip(&point.params).enumerate();
         let each = each.filter(|(p, _)| !but.contains(p));
         let text: Vec<String> = each
@@ -118,7 +118,7 @@ impl Field {
     pub(super) fn names(&self, but: &[usize]) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for point in &self.points {
-            let name = self.others(point, but);
+            let name = self.rest(point, but);
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -126,12 +126,12 @@ impl Field {
         names
     }
 
-    /// What a dot says: its params and its number.
+    /// The text of a dot: its params and its number.
     pub(super) fn title(&self, point: &Point, metric: usize) -> String {
         let reported = point.reported[metric].map_or(String::new(), |t| t.value.to_string());
         format!(
             "{}: {} {reported}",
-            self.others(point, &[]),
+            self.rest(point, &[]),
             self.metrics[metric].name
         )
     }
@@ -162,7 +162,7 @@ fn reported(group: &Group, at: usize) -> Option<Reported> {
     })
 }
 
-/// The axis of some metrics with all that they are held against.
+/// The axis of some metrics with all that they are compared with.
 fn scale(points: &[Point], metrics: &[usize], references: &[Reference]) -> Scale {
     let reported = points
         .iter()
@@ -176,7 +176,7 @@ fn scale(points: &[Point], metrics: &[usize], references: &[Reference]) -> Scale
     Scale::around(low, high)
 }
 
-/// Metrics that are held against the same in the same unit stand on the same axis: their plots can be laid side by side.
+/// Metrics that are compared with the same in the same unit have the same axis: their plots can be laid side by side.
 fn equal(metrics: &mut [Metric], points: &[Point]) {
     for k in 0..metrics.len() {
         let alike = |m: &Metric| {

@@ -125,7 +125,7 @@ pub(super) fn heat(field: &Field, at: usize) -> Option<Plot> {
         let top = height * k as f64 + 14.0;
         grid.words(&mut svg, top, name);
         let own = field.points.iter().enumerate();
-        for (row, point) in own.filter(|(_, p)| field.others(p, &grid.params) == *name) {
+        for (row, point) in own.filter(|(_, p)| field.rest(p, &grid.params) == *name) {
             let Some(reported) = point.reported[at] else {
                 continue;
             };

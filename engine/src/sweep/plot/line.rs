@@ -14,7 +14,7 @@ const TOP: f64 = 10.0;
 /// More lines than this have no legend.
 const NAMED: usize = 10;
 
-/// Where things stand.
+/// Where things are.
 struct Frame {
     left: f64,
     bottom: f64,
@@ -22,7 +22,7 @@ struct Frame {
 }
 
 impl Frame {
-    /// Names of methods may be longer than their share of the axis: then all stand aslant.
+    /// Names of methods may be longer than their share of the axis: then all are aslant.
     fn of(field: &Field, param: usize, metric: &Metric) -> Frame {
         let marks = field.axes[param].marks();
         let longest = marks.iter().map(|(_, w)| wide(w)).fold(0.0, f64::max);
@@ -54,7 +54,7 @@ impl Frame {
     }
 }
 
-/// The plot; none where fewer than two points tell the metric at different values of the param.
+/// The plot; none where fewer than two points have the metric at different values of the param.
 pub(super) fn line(field: &Field, param: usize, at: usize) -> Option<Plot> {
     let metric = &field.metrics[at];
     let reported = |p: &&Point| p.reported[at].is_some();
@@ -111,7 +111,7 @@ fn series(
 ) -> Vec<Vec<String>> {
     let (scale, metric) = (&field.axes[param], &field.metrics[at]);
     let own = field.points.iter().enumerate();
-    let own = own.filter(|(_, p)| field.others(p, &[param]) == name);
+    let own = own.filter(|(_, p)| field.rest(p, &[param]) == name);
     let place = |p: &Point| scale.place(&p.params[param]).unwrap_or(0.5);
     let mut own: Vec<(f64, usize, &Point, Reported)> = own
         .filter_map(|(row, p)| Some((place(p), row, p, p.reported[at]?)))
@@ -149,7 +149,7 @@ fn series(
     data
 }
 
-/// Axes with their words, and what the metric is held against.
+/// Axes with their words, and what the metric is compared with.
 fn axes(svg: &mut Svg, field: &Field, param: usize, metric: &Metric, frame: &Frame) {
     let far = WIDE - RIGHT;
     for (place, word) in metric.scale.marks() {

@@ -1,4 +1,4 @@
-//! A plot, and what it is held against.
+//! A plot, and what it is compared with.
 
 /// A value that plots of a metric show as a line across: the truth, a limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,7 +9,7 @@ pub struct Reference {
     pub value: f64,
 }
 
-/// What a metric is held against; by its name and unit.
+/// What a metric is compared with; by its name and unit.
 pub type References<'a> = dyn Fn(&str, &str) -> Vec<Reference> + 'a;
 
 /// A plot.

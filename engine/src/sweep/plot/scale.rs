@@ -1,4 +1,4 @@
-//! Where a value stands on an axis.
+//! Where a value is on an axis.
 
 use crate::text::short;
 
@@ -51,15 +51,15 @@ impl Scale {
         }
     }
 
-    /// From a number to another, with some room beyond.
+    /// From a number to another, with a margin beyond.
     pub(super) fn around(low: f64, high: f64) -> Scale {
-        let room = match high - low {
+        let margin = match high - low {
             0.0 => low.abs().max(1.0) * 0.05,
             span => 0.06 * span,
         };
         Scale::Numbers {
-            low: low - room,
-            high: high + room,
+            low: low - margin,
+            high: high + margin,
             log: false,
             known: vec![],
         }
@@ -128,7 +128,7 @@ fn round(low: f64, high: f64) -> Vec<f64> {
     (first..=last).map(value).collect()
 }
 
-/// Whether ascending values stand more evenly by their ratios than by their differences.
+/// Whether ascending values are spread more evenly by their ratios than by their differences.
 fn by_ratios(values: &[f64]) -> bool {
     if values.len() < 3 || values[0] <= 0.0 {
         return false;

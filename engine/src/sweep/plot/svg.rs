@@ -45,7 +45,7 @@ impl Svg {
         );
     }
 
-    /// A dot that says what it is, and leads to it.
+    /// A dot with its title, and a link to its row.
     pub(super) fn dot(&mut self, (x, y): (f64, f64), color: &str, row: usize, title: &str) {
         let _ = writeln!(
             self.0,
@@ -54,7 +54,7 @@ impl Svg {
         );
     }
 
-    /// A filled cell that says what it is, and leads to it.
+    /// A filled cell with its title, and a link to its row.
     pub(super) fn cell(&mut self, [x, y, w, h]: [f64; 4], color: &str, row: usize, title: &str) {
         let _ = writeln!(
             self.0,

@@ -72,7 +72,7 @@ const REFUSED: [i64; 44] = [
     c::SYS_ioprio_set,
 ];
 
-/// Said to be done, and not done: programs set modes, owners and times of what they copy, and could set those of any
+/// Reported as done, and not done: programs set modes, owners and times of what they copy, and could set those of any
 /// file. Results are known by content alone.
 const IGNORED: [i64; 11] = [
     c::SYS_fchmod,
@@ -147,7 +147,7 @@ fn refused(network: bool) -> Result<Rules, seccompiler::BackendError> {
         c::SYS_ioctl,
         TYPING.iter().map(typing).collect::<Result<_, _>>()?,
     );
-    // Limits and priorities of others.
+    // Limits and priorities of other processes.
     let other = |at| Ok(vec![rule(&[(at, Len::Dword, Op::Ne, 0)])?]);
     rules.insert(c::SYS_prlimit64, other(0)?);
     rules.insert(c::SYS_setpriority, other(1)?);

@@ -1,4 +1,4 @@
-//! What is done: words are counted file by file, and a page tells the most frequent.
+//! What is done: words are counted file by file, and a page shows the most frequent.
 
 use crate::nouns::{Counts, Text};
 use engine::kind::{Importer, NamedFiles, WriteError};
@@ -81,7 +81,7 @@ stage::params! {
 stage::inputs! {
     /// Counts.
     pub struct TellInput {
-        /// How often words stand in files.
+        /// How often words occur in files.
         counts: Arc<Counts>,
     }
 }
@@ -158,7 +158,7 @@ fn files(
     Ok(vec![(String::new(), text.into_bytes())])
 }
 
-/// What counts tell of themselves: for tables of sweeps.
+/// The numbers of counts themselves: for tables of sweeps.
 fn facts(artifact: AnyArtifact) -> Vec<Metric> {
     let Some(counts) = artifact.downcast::<Counts>() else {
         return vec![];
@@ -175,10 +175,10 @@ fn facts(artifact: AnyArtifact) -> Vec<Metric> {
     ]
 }
 
-/// The trade.
+/// The application.
 pub(crate) static CATALOG: Catalog = Catalog {
     program: "words 1",
-    rooms: &[&[&erase::<Count>(), &erase::<Tell>(), &erase::<Take>()]],
+    stages: &[&[&erase::<Count>(), &erase::<Tell>(), &erase::<Take>()]],
     pipelines: &[],
     importers: &[Importer {
         stage: &erase::<Take>(),
@@ -211,6 +211,6 @@ pub(crate) static CATALOG: Catalog = Catalog {
 pub(crate) static WORDS: command::Program = command::Program::new(
     "words",
     "1",
-    "How often words stand in the files of a folder.",
+    "How often words occur in the files of a folder.",
     &CATALOG,
 );

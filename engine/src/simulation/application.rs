@@ -1,4 +1,4 @@
-//! The trade of the simulation: cheap stages whose results tell the capture that they came of.
+//! The application of the simulation: cheap stages whose results show the capture that they came of.
 
 use super::seam;
 use super::story::NUMBERS;
@@ -106,7 +106,7 @@ struct Large;
 impl Stage for Large {
     const NAME: &'static str = "sim.large";
     const VERSION: u32 = 1;
-    const ABOUT: &'static str = "Says a text often.";
+    const ABOUT: &'static str = "Repeats a text.";
     type Params = Number;
     type Input = FromTexts;
     type Output = Text;
@@ -123,7 +123,7 @@ static STAGES: &[&dyn AnyStage] = &[&erase::<Read>(), &erase::<Join>(), &erase::
 
 pub(super) static CATALOG: Catalog = Catalog {
     program: "sim 1",
-    rooms: &[STAGES],
+    stages: &[STAGES],
     pipelines: &[],
     kinds: &[],
     importers: &[Importer {
@@ -158,7 +158,7 @@ with = { n = 7 }
 pub(super) type Results = Rc<Vec<Vec<u8>>>;
 
 /// The pipelines that the stories know, made once.
-pub(super) struct Trade {
+pub(super) struct Application {
     pub(super) pipeline: Pipeline,
     graphs: Vec<Graph>,
     expected: RefCell<BTreeMap<(usize, String), Results>>,
@@ -171,13 +171,13 @@ pub(super) fn overrides(n: usize) -> Overrides {
     }
 }
 
-impl Trade {
-    fn new() -> Trade {
+impl Application {
+    fn new() -> Application {
         let pipeline = Pipeline::of_text("sim.toml", TEXT, &CATALOG).expect("a pipeline");
         let graph = |n| pipeline.graph(&overrides(n)).expect("a graph");
         let graphs = (0..NUMBERS).map(graph).collect();
         let expected = RefCell::default();
-        Trade {
+        Application {
             pipeline,
             graphs,
             expected,
@@ -215,9 +215,9 @@ impl Trade {
 }
 
 thread_local! {
-    static TRADE: Rc<Trade> = Rc::new(Trade::new());
+    static APPLICATION: Rc<Application> = Rc::new(Application::new());
 }
 
-pub(super) fn trade() -> Rc<Trade> {
-    TRADE.with(Rc::clone)
+pub(super) fn application() -> Rc<Application> {
+    APPLICATION.with(Rc::clone)
 }

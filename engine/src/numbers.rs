@@ -1,9 +1,9 @@
-//! Which numbers a node can tell: its stage's metrics, what its result tells of itself, time, processor, memory and size.
+//! Which numbers a node can have: its stage's metrics, its result's own numbers, time, processor, memory and size.
 
 use crate::kind::Catalog;
 use stage::{AnyStage, Value, fits_any, nearest};
 
-/// What every node tells.
+/// What every node has.
 pub(crate) const BESIDE: [(&str, &str); 4] = [
     ("seconds", "s"),
     ("bytes", "B"),
@@ -11,15 +11,15 @@ pub(crate) const BESIDE: [(&str, &str); 4] = [
     ("memory", "B"),
 ];
 
-/// Ends of an interval that a result tells of one of its numbers.
+/// Ends of an interval that a result has for one of its numbers.
 pub(crate) const ENDS: [&str; 2] = [".interval.lo", ".interval.hi"];
 
 /// How many names are listed to somebody who asked for one that there is not.
 const LISTED: usize = 24;
 
-/// What is wrong with asking a node of this stage for a number, if it cannot tell it: the nearest that
+/// What is wrong with asking a node of this stage for a number, if it cannot have it: the nearest that
 /// it can, and what there is. `declared` are the entries of the pipeline's sections.
-pub fn untellable(
+pub fn missing_number(
     node: &str,
     stage: &dyn AnyStage,
     metric: &str,

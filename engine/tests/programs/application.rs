@@ -1,4 +1,4 @@
-//! A trade for programs: a text (one file), pages (a folder of texts); and a folder to run them in.
+//! An application for programs: a text (one file), pages (a folder of texts); and a folder to run them in.
 
 use engine::graph::Graph;
 use engine::kind::{Importer, NamedFiles, WriteError};
@@ -145,10 +145,10 @@ const fn kind(name: &'static str, formats: &'static [&'static str]) -> Kind {
     }
 }
 
-/// The trade.
+/// The application.
 pub(crate) static CATALOG: Catalog = Catalog {
     program: "texts 1",
-    rooms: &[&[&erase::<Take>(), &erase::<Bind>(), &erase::<Length>()]],
+    stages: &[&[&erase::<Take>(), &erase::<Bind>(), &erase::<Length>()]],
     pipelines: &[],
     kinds: &[
         kind(Text::KIND, &["txt", "loud"]),
