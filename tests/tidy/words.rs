@@ -13,9 +13,8 @@ const AVOIDED: [&str; 12] = [
 ];
 
 /// How often they are in names, comments and texts of Rust by the repository's folders, and in the screen's own texts.
-const COUNTS: [(&str, usize); 8] = [
+const COUNTS: [(&str, usize); 7] = [
     ("docs", 3),
-    ("engine", 42),
     ("python", 9),
     ("src", 9),
     ("src/words/*.ftl", 15),

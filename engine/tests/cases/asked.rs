@@ -41,7 +41,7 @@ fn what_is_done_of_a_plan_is_asked_at_once_and_not_once_a_record() {
     bucket.requests();
     let (sharing, printed) = begun(&b, &bucket, true);
     let there = state(&plan, &b);
-    // Whose store it is, what it has, and the one record that others read.
+    // Whose store it is, what it has, and the one record that other strands read.
     assert_eq!(bucket.requests(), 3);
     drop(sharing);
     let done: Vec<usize> = (0..61).filter(|at| there.done[*at]).collect();

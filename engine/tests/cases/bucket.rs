@@ -1,4 +1,4 @@
-//! A place of objects in memory that fails as it is told: answers that are errors or lost, a server that
+//! A place of objects in memory with faults as chosen: answers that are errors or lost, a server that
 //! is gone, other bytes, a create that writes over, no rights.
 
 use engine::store::remote::{Created, Got, Object, Objects, Trouble};
@@ -14,7 +14,7 @@ pub(crate) struct Faults {
     pub(crate) errors: f64,
     /// The share of requests that are done, and whose answer is lost or cut.
     pub(crate) lost: f64,
-    /// The share of creates that are told to be under way already (409), and are not.
+    /// The share of creates that are answered as under way already (409), and are not.
     pub(crate) conflicts: f64,
     pub(crate) gone: bool,
     /// A create writes over what is there.

@@ -24,7 +24,7 @@ fn a_touched_file_reruns_nothing_and_a_comment_reruns_one() {
 }
 
 #[test]
-fn a_param_reruns_what_lies_downstream_and_back_is_a_hit() {
+fn a_param_reruns_what_is_downstream_and_back_is_a_hit() {
     let place = Place::new("hello\n");
     place.run(1);
     assert_eq!(place.run(2), ["final", "mid"]);
@@ -97,7 +97,7 @@ fn a_moved_source_still_hits() {
 }
 
 #[test]
-fn a_failure_is_not_cached_and_others_go_on() {
+fn a_failure_is_not_cached_and_the_rest_goes_on() {
     let place = Place::new("hello\n");
     for _ in 0..2 {
         let made = place.run(13);
@@ -185,7 +185,7 @@ fn one_file_more_redoes_one_part_and_a_failed_stage_goes_on_at_its_last_step() {
     std::fs::write(place.src().join("3.txt"), "a third\n").unwrap();
     let torn = (Status::Executed, vec![18.0, 9.0]);
     assert_eq!(parts(0), torn, "torn parts are made again");
-    // Each under the key of another: none is what it says.
+    // Each under the key of another: none is what it promises.
     let all = place.shelf("parts");
     let bytes: Vec<_> = all
         .iter()

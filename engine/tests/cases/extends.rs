@@ -1,4 +1,4 @@
-//! Pipelines that extend others, and params that nodes share.
+//! Pipelines that extend other pipelines, and params that nodes share.
 
 use crate::toys::CATALOG;
 use engine::graph::Graph;
@@ -58,7 +58,7 @@ fn n(graph: &Graph, node: &str) -> String {
 }
 
 #[test]
-fn what_is_not_said_is_inherited_and_what_the_goal_does_not_need_is_left_out() {
+fn what_is_not_set_is_inherited_and_what_the_goal_does_not_need_is_left_out() {
     let graph = graph(
         "extends = \"base.toml\"\ngoal = [\"final\"]\n[node.mid]\nwith = { n = 2 }\n",
         None,
@@ -99,7 +99,7 @@ fn a_shared_param_reaches_all_that_read_it_by_variant_and_by_set() {
 }
 
 #[test]
-fn mistakes_stand_in_the_file_that_holds_their_line() {
+fn mistakes_name_the_file_that_has_their_line() {
     let own = |rest: &str| format!("extends = \"base.toml\"\n{rest}");
     wrong(&own("[params]\nn = \"x\"\n"), "own.toml", [3, 5], "`n`");
     let nobody = "[node.mid]\nwith = { n = 1 }\n[node.final]\nwith = { n = 1 }\n[params]\nn = 4\n";

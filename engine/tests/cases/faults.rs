@@ -145,7 +145,7 @@ fn a_run_that_is_stopped_keeps_what_is_done_and_the_next_goes_on() {
 }
 
 #[test]
-fn a_source_that_changes_while_it_is_read_is_told_and_nothing_is_published() {
+fn a_source_that_changes_while_it_is_read_is_reported_and_nothing_is_published() {
     struct Meddler<'a>(&'a Place);
     impl Watch for Meddler<'_> {
         fn started(&self, node: &str) {
@@ -227,9 +227,9 @@ fn a_store_that_cannot_be_written_to_still_answers() {
     assert!(error.to_string().contains("--cache"), "{error}");
 }
 
-/// The process of `processes::child` under a limit on the size of files stands for a full disk.
+/// The process of `processes::child` under a limit on the size of files, in place of a full disk.
 #[test]
-fn a_disk_that_takes_no_more_is_told_and_the_next_run_goes_on() {
+fn a_disk_that_takes_no_more_is_reported_and_the_next_run_goes_on() {
     let place = Place::new(&"a long line\n".repeat(400));
     let exe = std::env::current_exe().unwrap();
     let run = |limit: &str| {
@@ -254,7 +254,7 @@ fn a_disk_that_takes_no_more_is_told_and_the_next_run_goes_on() {
 }
 
 #[test]
-fn of_a_chain_of_ten_a_plan_says_that_one_is_certain_and_nine_are_possible() {
+fn of_a_chain_of_ten_a_plan_has_one_certain_and_nine_possible() {
     let place = Place::new("hello\n");
     let mut nodes = String::from("[node.n0]\nstage = \"toy.clean\"\nfrom = { files = \"@src\" }\n");
     for i in 1..10 {

@@ -1,4 +1,4 @@
-//! Sweeps: what ran, in which order, and what the table says, on a chain src → mid → final.
+//! Sweeps: what ran, in which order, and what the table shows, on a chain src → mid → final.
 
 use crate::place::Log;
 use crate::toys::CATALOG;
@@ -181,7 +181,7 @@ fn rows_are_those_of_one_thread_whatever_the_threads() {
 }
 
 #[test]
-fn a_failing_point_is_reported_tried_once_and_does_not_stop_the_others() {
+fn a_failing_point_is_reported_tried_once_and_does_not_stop_the_rest() {
     let place = Place::new();
     let (rows, log) = place.sweep(&GRID.replace("[1, 2]", "[1, 13, 2]"));
     let failed: Vec<bool> = rows.iter().map(|r| r.end != End::Done).collect();

@@ -1,4 +1,4 @@
-//! What a sweep that cannot be is told, and how much one is before it runs.
+//! How a sweep that cannot be is refused, and how much one is before it runs.
 
 use crate::points::PIPELINE;
 use crate::toys::CATALOG;
@@ -36,7 +36,7 @@ fn a_million_points_are_counted_and_not_written_out() {
 }
 
 #[test]
-fn mistakes_of_a_sweep_are_told_with_their_places() {
+fn mistakes_of_a_sweep_are_reported_with_their_places() {
     for (declared, place, what) in [
         ("over.mad = { n = [1] }", 2, "there is no node `mad`"),
         (

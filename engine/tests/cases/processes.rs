@@ -16,7 +16,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-/// `width` chains of `length` nodes, each of which takes so long; `n` makes them others.
+/// `width` chains of `length` nodes, each of which takes so long; another `n` gives other nodes.
 pub(crate) fn wide(width: usize, length: usize, sleep_ms: u64, n: i64) -> Graph {
     let mut nodes =
         String::from("[node.clean]\nstage = \"toy.clean\"\nfrom = { files = \"@src\" }\n");

@@ -97,7 +97,7 @@ fn replicates_take_the_next_seeds_alike_in_all_variants_and_share_what_is_equal(
     let groups = spread(&reported);
     assert_eq!(groups.len(), 2);
     let sum = &groups[0].spreads[0];
-    // Seeds 2, 3, 5, 6 tell it; 4 refuses, 7 fails.
+    // Seeds 2, 3, 5, 6 have it; 4 refuses, 7 fails.
     assert_eq!(
         (sum.n, sum.refused, groups[0].failed, sum.mean),
         (4, 1, 1, Some(14.0))

@@ -1,4 +1,4 @@
-//! A store that machines share: what one makes another finds, and what the place does of itself is told.
+//! A store that machines share: what one makes another finds, and what the place does of itself is reported.
 
 use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, Log, NONE, Place, chain, graph};
@@ -12,24 +12,24 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// What was said to the user.
+/// What was reported to the user.
 pub(crate) type Printed = Arc<Mutex<Vec<String>>>;
 
 /// A cache's use of a bucket.
 pub(crate) fn begun(cache: &Path, bucket: &Bucket, read_only: bool) -> (Sharing, Printed) {
     let printed = Printed::default();
     let to = printed.clone();
-    let say = move |line: &str| to.lock().unwrap().push(line.to_owned());
+    let report = move |line: &str| to.lock().unwrap().push(line.to_owned());
     let manner = Manner {
         read_only,
         seal: None,
         ..Manner::default()
     };
-    let sharing = Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(say));
+    let sharing = Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(report));
     (sharing.unwrap(), printed)
 }
 
-/// What a run of [`chain`] makes in a cache that shares a bucket; what was left to upload; what was said.
+/// What a run of [`chain`] makes in a cache that shares a bucket; what was left to upload; what was reported.
 pub(crate) fn shared(
     place: &Place,
     cache: &Path,
@@ -209,7 +209,7 @@ fn a_plan_is_made_here_and_worked_on_there() {
         );
     }
     drop(sharing);
-    // A plan there that is not what its name says is none.
+    // A plan there that is not what its name promises is none.
     bucket.change(&format!("plans/{name}"), |bytes| bytes[20] ^= 1);
     let [_, _, d] = caches(&place);
     let _sharing = begun(&d, &bucket, false);

@@ -59,7 +59,7 @@ fn eight_workers_on_one_key_and_a_tenth_of_all_answers_wrong_come_to_the_same() 
 }
 
 #[test]
-fn a_bucket_that_is_gone_is_told_and_what_waits_goes_there_later() {
+fn a_bucket_that_is_gone_is_reported_and_what_waits_goes_there_later() {
     let place = Place::new(&texts()[1]);
     let bucket = Bucket::new();
     let [a, b] = caches(&place);
@@ -164,7 +164,7 @@ fn wrong_bytes_are_refused_named_made_again_and_put_right() {
 }
 
 #[test]
-fn what_is_not_deterministic_is_told_and_the_first_counts_there() {
+fn what_is_not_deterministic_is_reported_and_the_first_counts_there() {
     let place = Place::new("hello\n");
     let bucket = Bucket::new();
     let [a, b] = caches(&place);
@@ -223,7 +223,7 @@ fn a_bucket_that_writes_over_is_noticed_and_used_with_care() {
 }
 
 #[test]
-fn a_bucket_that_refuses_is_told_once_and_what_is_made_waits() {
+fn a_bucket_that_refuses_is_reported_once_and_what_is_made_waits() {
     let place = Place::new("hello\n");
     let bucket = Bucket::new();
     let [a] = caches(&place);
@@ -267,7 +267,7 @@ fn somebody_else_s_bucket_and_another_layout_are_refused() {
 }
 
 #[test]
-fn uploads_lie_beside_the_work() {
+fn uploads_run_beside_the_work() {
     let place = Place::new("hello\n");
     let bucket = Bucket::new();
     let [a] = caches(&place);

@@ -38,7 +38,7 @@ impl Seal for Name {
     }
 }
 
-/// What a run makes in a cache that shares the bucket, how much went there, what was said.
+/// What a run makes in a cache that shares the bucket, how much went there, what was reported.
 fn run(
     place: &Place,
     what: &Graph,
@@ -49,13 +49,14 @@ fn run(
 ) -> (Vec<String>, usize, Vec<String>) {
     let printed = Arc::new(Mutex::new(Vec::new()));
     let to = printed.clone();
-    let say = move |line: &str| to.lock().unwrap().push(line.to_owned());
+    let report = move |line: &str| to.lock().unwrap().push(line.to_owned());
     let manner = Manner {
         read_only: false,
         seal: Some(Box::new(Name { own, trusts })),
         ..Manner::default()
     };
-    let sharing = Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(say)).unwrap();
+    let sharing =
+        Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(report)).unwrap();
     let made = place.run_in(what, cache, 2);
     let left = sharing.finish(Duration::from_secs(20));
     assert_eq!(left.waiting, 0, "{left:?}");
@@ -140,7 +141,7 @@ fn what_nobody_signed_is_signed_by_who_finds_the_same() {
 }
 
 #[test]
-fn a_store_that_lies_with_a_true_signature_is_not_believed() {
+fn a_false_store_with_a_true_signature_is_not_believed() {
     let place = Place::new("hello\n");
     // Whatever runs it comes to something else.
     let unsteady = graph(

@@ -204,7 +204,7 @@ fn strands_come_to_what_a_local_run_does_each_result_once_and_twice_is_harmless(
 }
 
 #[test]
-fn a_failing_strand_fails_alone_and_what_reads_it_is_told_who_did_not_make_it() {
+fn a_failing_strand_fails_alone_and_what_reads_it_names_who_did_not_make_it() {
     let place = Place::new("hello\n");
     let mut points = points(2, 2);
     points[0].sets[0] = "mid.n=13".into();
@@ -242,17 +242,17 @@ fn a_plan_that_is_not_whole_or_means_something_else_is_refused() {
     std::fs::write(&file, whole.replace("mid.n=0", "mid.n=1")).unwrap();
     let changed = Plan::read(&place.store(), &name);
     assert!(matches!(changed, Err(PlanError::Corrupt(..))));
-    // Under the name of its own hash, but it says what cannot be.
-    let lies = [
+    // Under the name of its own hash, but with what cannot be.
+    let changes = [
         ("\"a.txt\"", "\"../../etc/passwd\""),
         ("\"point\": 1", "\"point\": 7"),
         ("\"layer\": 0", "\"layer\": 9"),
     ];
-    for (from, to) in lies {
-        let lie = whole.replacen(from, to, 1);
-        assert_ne!(lie, whole, "{from}");
-        let hash = stage::hash(lie.as_bytes()).to_hex().to_string();
-        std::fs::write(place.cache().join("plans").join(&hash), lie).unwrap();
+    for (from, to) in changes {
+        let changed = whole.replacen(from, to, 1);
+        assert_ne!(changed, whole, "{from}");
+        let hash = stage::hash(changed.as_bytes()).to_hex().to_string();
+        std::fs::write(place.cache().join("plans").join(&hash), changed).unwrap();
         let read = Plan::read(&place.store(), &hash);
         assert!(matches!(read, Err(PlanError::Corrupt(..))), "{to}");
     }
@@ -271,7 +271,7 @@ fn a_plan_that_is_not_whole_or_means_something_else_is_refused() {
 }
 
 #[test]
-fn an_input_that_changed_since_the_plan_is_told() {
+fn an_input_that_changed_since_the_plan_is_reported() {
     let place = Place::new("hello\n");
     let plan = planned(&place, TEXT, &points(1, 1));
     place.write("other\n");

@@ -68,7 +68,7 @@ fn what_is_pinned_stays_until_it_is_let_go() {
 }
 
 #[test]
-fn records_of_old_runs_go_but_not_those_of_pins_nor_those_that_others_refer_to() {
+fn records_of_old_runs_go_but_not_those_of_pins_nor_those_that_other_runs_refer_to() {
     let place = Place::new("hello\n");
     for n in 1..=5 {
         place.run(n);
