@@ -41,7 +41,6 @@ pub(super) fn pipeline(
     let mut sets = Vec::new();
     // A turn of a disk is looked at while it is read; a walk is none, nor is a turn on the spot.
     let on_disk = !measure.walk && !measure.turning;
-    sets.push(format!("people.stop={on_disk}"));
     // A first answer leaves that to the whole.
     sets.extend(
         first

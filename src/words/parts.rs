@@ -22,6 +22,7 @@ pub(crate) const PARTS: [(&str, &[&str]); 7] = [
         "masks",
         &[
             "people",
+            "in_view",
             "aligned",
             "plate",
             "scene",

@@ -39,7 +39,7 @@ fn feet_that_all_photos_cut_off_stop() {
     let printed = String::from_utf8_lossy(&out.stderr).into_owned();
     assert_eq!(out.status.code(), Some(1), "{printed}");
     assert!(
-        printed.contains("people failed") && printed.contains("no girth"),
+        printed.contains("in_view failed") && printed.contains("no girth"),
         "{printed}"
     );
 }

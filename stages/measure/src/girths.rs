@@ -158,9 +158,7 @@ impl Stage for Measure {
             given_mm: rig.stature_mm.filter(|_| disputed.is_none()),
             kg: person.weight_kg,
         };
-        girths.capture = person.capture.clone();
-        girths.date = person.date.clone().or(rig.date.clone());
-        grown(&mut girths, &person, ctx);
+        named(&mut girths, &person, rig.date.clone(), ctx);
         girths.scale_sigma = input.cameras.as_ref().and_then(|c| c.scale_sigma);
         girths.stature_sigma_mm = landmarks.stature_sigma_mm;
         derive(&mut girths, mesh, &known);
@@ -174,8 +172,10 @@ impl Stage for Measure {
     }
 }
 
-/// Sex, and the age on the day of the capture.
-fn grown(girths: &mut Girths, person: &Person, ctx: &Ctx<'_>) {
+/// What the capture is called, its day, given or by its photos, sex, and the age on that day.
+fn named(girths: &mut Girths, person: &Person, by_photos: Option<String>, ctx: &Ctx<'_>) {
+    girths.capture = person.capture.clone();
+    girths.date = person.date.clone().or(by_photos);
     girths.sex = person.sex;
     let age = person.age_on(girths.date.as_deref());
     girths.age_months = age.filter(|months| *months >= 0.0);

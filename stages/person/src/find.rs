@@ -4,28 +4,13 @@ use crate::body::Networks;
 use crate::odd::odd;
 use crate::turn::{NotFound, followed, not_found};
 use rayon::prelude::*;
-use shape::{Found, People, Photo, PhotoId, Photos, some_photos};
-use stage::{Ctx, Message, Stage, Stop, message};
+use shape::{Found, People, Photo, PhotoId, Photos};
+use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
-stage::messages! {
-    WITHOUT_FEET = "people-without-feet": "the body is cut off at the lower edge of {names}; keep the whole person in view, with a margin below the feet: without feet heights are unknown, and no girth is given";
-}
-
-stage::failures! {
-    /// Why the people on the photos cannot be measured.
-    pub enum PeopleError {
-        /// Of whom nothing will come.
-        Hopeless(why: Message) = "fail-people": "{why} (if you are sure of the photos: --set people.stop=false)",
-    }
-}
-
 stage::params! {
-    /// What is done about people who cannot be measured.
-    pub struct FindPeopleParams {
-        /// Whether feet that most photos cut off are an error.
-        stop: bool = false,
-    }
+    /// Nothing is to be tuned.
+    pub struct FindPeopleParams {}
 }
 
 stage::inputs! {
@@ -41,13 +26,13 @@ pub struct FindPeople;
 
 impl Stage for FindPeople {
     const NAME: &'static str = "silhouette.person";
-    const VERSION: u32 = 4;
-    const ABOUT: &'static str = "Finds the person on each photo by two learned networks: a coarse mask and joints, and whether the photos agree that it is a person; stops a turn without feet if asked to.";
+    const VERSION: u32 = 3;
+    const ABOUT: &'static str = "Finds the person on each photo by two learned networks: a coarse mask and joints, and whether the photos agree that it is a person.";
     type Params = FindPeopleParams;
     type Input = FindPeopleInput;
     type Output = People;
 
-    fn run(p: &FindPeopleParams, input: FindPeopleInput, ctx: &Ctx<'_>) -> Result<People, Stop> {
+    fn run(_: &FindPeopleParams, input: FindPeopleInput, ctx: &Ctx<'_>) -> Result<People, Stop> {
         let networks = Networks::built_in()?;
         let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();
         let steps = ctx.steps("photos", all.len());
@@ -67,19 +52,12 @@ impl Stage for FindPeople {
         }
         let all = followed(views.into_iter().collect());
         // Of things nothing is said: most captures of them are meant.
-        let reported = match all.person {
-            true => odd(&all, &input.photos),
-            false => vec![],
-        };
-        let (views, person) = (all.views, all.person);
-        let people = People { views, person };
-        let cut = people.without_feet(&input.photos).filter(|_| p.stop);
-        if let Some(names) = cut.and_then(|names| some_photos(&names)) {
-            let why = message!(WITHOUT_FEET, names = names);
-            return Err(PeopleError::Hopeless(why).into());
+        if all.person {
+            let reported = odd(&all, &input.photos);
+            reported.into_iter().for_each(|w| ctx.warn(w));
         }
-        reported.into_iter().for_each(|w| ctx.warn(w));
-        Ok(people)
+        let (views, person) = (all.views, all.person);
+        Ok(People { views, person })
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::made;
 
 use measure::{FindLandmarks, GirthInput, GirthParams, LandmarkInput, Measure};
-use shape::{Cameras, Girths, Length, Person, Photos, Refusal, Rig, Scale, Unit};
+use shape::{Cameras, Girths, Length, Person, Photos, Refusal, Scale, Unit};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 
@@ -25,18 +25,12 @@ fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_
             ground_mm: 0.0,
             points: vec![],
         };
-        let rig = Rig {
-            stature_mm: Some(stature_mm),
-            ..Rig::default()
-        };
         let person = Person {
             weight_kg: Some(70.0),
             ..Person::default()
         };
-        let photos = Photos {
-            rig,
-            ..Photos::default()
-        };
+        let mut photos = Photos::default();
+        photos.rig.stature_mm = Some(stature_mm);
         let input = GirthInput {
             mesh: mesh.clone(),
             landmarks: Arc::new(found.clone()),

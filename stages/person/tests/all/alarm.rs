@@ -46,7 +46,7 @@ fn masks_without_legs_or_head_are_named_by_photo() {
     let input = FindPeopleInput {
         photos: photos.clone(),
     };
-    let people = FindPeople::run(&FindPeopleParams::default(), input, &Ctx::alone()).unwrap();
+    let people = FindPeople::run(&FindPeopleParams {}, input, &Ctx::alone()).unwrap();
     let people = Arc::new(people);
     let own = |id| (id, people.subject(id).unwrap().mask(800, 1200));
     let masks = Masks {

@@ -4,7 +4,7 @@ use crate::post;
 
 use nalgebra::{Point3, Vector3};
 use pose::mat_corners;
-use post::{framed_and_warned, framed_from, framed_with, photo, turn};
+use post::{framed_from, framed_with, photo, turn};
 use shape::{Camera, Cameras, Length, Mat, Photo, PhotoId, Reference, Rig, Scale, Tag, Tags};
 
 /// A mat under the post.
@@ -140,26 +140,6 @@ fn lengths_that_contradict_each_other_give_no_centimetres() {
         found.scale,
         Scale::Disputed([Length::Mat, Length::Reference])
     );
-}
-
-#[test]
-fn a_stature_that_is_off_by_more_than_can_be_seen_wrongly_is_named_with_both_numbers() {
-    let warned = |stature_mm| {
-        let rig = Rig {
-            stature_mm: Some(stature_mm),
-            ..Rig::default()
-        };
-        let (found, warned) = framed_and_warned(Scale::Mat, rig, None, None);
-        assert_eq!(found.unwrap().scale, Scale::Mat);
-        warned
-    };
-    // The post is 800 mm tall.
-    assert_eq!(warned(800.0), [""; 0]);
-    for (mm, given) in [(815.0, "81.5 cm"), (785.0, "78.5 cm")] {
-        let all = warned(mm);
-        let says = format!("the stature was given as {given}, but by the marker mat it is 80.");
-        assert!(all.len() == 1 && all[0].contains(&says), "{all:?}");
-    }
 }
 
 #[test]
