@@ -2,12 +2,14 @@
 //!
 //! `cargo run --release -p person --features tables --example alarm -- PHOTOS MASKS [PHOTOS MASKS]...` prints a line of JSON a photo and mask: what was taken
 //! out of the true mask (nothing, a forearm with its hand, a shank with its foot, a foot, the head, a side of the trunk), and by part
-//! in the order of `BodyPart::ALL` which share of it is lost and added.
+//! in the order of `BodyPart::ALL` how wide a piece is lost \[pixels of the network\], and which share is added.
 
-use person::{Networks, disagreement};
-use shape::{Found, Mask, Rgb};
+use person::{FindPeople, FindPeopleInput, FindPeopleParams, disagreement};
+use shape::{Found, Mask, Photo, PhotoId, Photos};
+use stage::{Ctx, Stage};
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Lines between joints, by their places in [`Found::JOINTS`], with what is nearest to one: a name where it is taken out.
 const LINES: [(&str, usize, usize); 17] = [
@@ -45,18 +47,43 @@ const TAKEN: [&[&str]; 10] = [
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let networks = Networks::built_in()?;
     let folders: Vec<PathBuf> = std::env::args().skip(1).map(PathBuf::from).collect();
     for pair in folders.chunks(2) {
         let [photos, masks] = pair else {
             return Err("give pairs of folders: photos and their true masks".into());
         };
-        let truths = files(masks)?;
-        for (photo, mask) in files(photos)?.iter().zip(&truths) {
-            reported(&networks, photo, mask)?;
+        let photos = files(photos)?;
+        let turn = photos.iter().map(|path| photo(path));
+        let input = FindPeopleInput {
+            photos: Arc::new(Photos {
+                photos: turn.collect::<Result<_, _>>()?,
+                ..Photos::default()
+            }),
+        };
+        let people = FindPeople::run(&FindPeopleParams {}, input, &Ctx::alone())
+            .map_err(|stop| format!("{stop:?}"))?;
+        for (k, (photo, mask)) in photos.iter().zip(&files(masks)?).enumerate() {
+            if let Some(found) = people.subject(PhotoId(k as u32)) {
+                reported(found, photo, mask)?;
+            }
         }
     }
     Ok(())
+}
+
+/// A photo of a turn.
+fn photo(path: &Path) -> Result<Photo, Box<dyn Error>> {
+    let (width, height) = image::image_dimensions(path)?;
+    Ok(Photo {
+        name: path.display().to_string(),
+        width,
+        height,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: None,
+        file: std::fs::read(path)?.into(),
+    })
 }
 
 /// The pictures of a folder, by name; both folders have them in the same order, a plate has another name.
@@ -69,14 +96,8 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
 }
 
 /// Prints the lines of a photo.
-fn reported(networks: &Networks, photo: &Path, mask: &Path) -> Result<(), Box<dyn Error>> {
-    let rgb = image::open(photo)?.into_rgb8();
-    let (width, height) = (rgb.width(), rgb.height());
-    let pixels = Rgb {
-        width: width as usize,
-        height: height as usize,
-        data: rgb.pixels().map(|p| p.0).collect(),
-    };
+fn reported(found: &Found, photo: &Path, mask: &Path) -> Result<(), Box<dyn Error>> {
+    let (width, height) = image::image_dimensions(photo)?;
     let truth = image::open(mask)?.into_luma8();
     let truth = image::imageops::resize(&truth, width, height, image::imageops::Triangle);
     let truth = Mask {
@@ -84,14 +105,11 @@ fn reported(networks: &Networks, photo: &Path, mask: &Path) -> Result<(), Box<dy
         height: height as usize,
         data: truth.into_raw(),
     };
-    let Some(found) = networks.people(&pixels).into_iter().next() else {
-        return Ok(());
-    };
     for taken in TAKEN {
-        let all = disagreement(&found, &without(&found, &truth, taken));
+        let all = disagreement(found, &without(found, &truth, taken));
         let rows: Vec<String> = all
             .iter()
-            .map(|d| format!("[{:.4},{:.4}]", d.lost, d.kept))
+            .map(|d| format!("[{:.2},{:.4}]", d.lost_px, d.kept))
             .collect();
         let taken = taken.first().unwrap_or(&"nothing");
         println!(

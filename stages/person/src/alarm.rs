@@ -16,29 +16,29 @@ stage::messages! {
 }
 
 stage::params! {
-    /// How much of a part of the body a mask may leave out, of what is deeper inside of the learned body than the
-    /// learned outline is wide. Fitted by `models/person/alarm.py` on true masks of six drawn scenes and the same without a limb.
+    /// How wide a piece of a part of the body a mask may leave out that the network is sure of, in its own pixels (some 7 mm of an
+    /// adult). Fitted by `models/person/alarm.py` on true masks of six captures and the same without a limb.
     pub struct AlarmParams {
         /// Head.
-        #[range(0.0..=100.0)]
-        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
-        head_pct: f64 = 54.0,
+        #[range(0.0..=256.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
+        head_px: f64 = 10.9,
         /// Trunk.
-        #[range(0.0..=100.0)]
-        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
-        trunk_pct: f64 = 16.0,
+        #[range(0.0..=256.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
+        trunk_px: f64 = 8.2,
         /// Arms.
-        #[range(0.0..=100.0)]
-        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
-        arms_pct: f64 = 13.0,
+        #[range(0.0..=256.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
+        arms_px: f64 = 6.0,
         /// Legs.
-        #[range(0.0..=100.0)]
-        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
-        legs_pct: f64 = 9.0,
+        #[range(0.0..=256.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
+        legs_px: f64 = 6.3,
         /// Feet.
-        #[range(0.0..=100.0)]
-        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
-        feet_pct: f64 = 91.0,
+        #[range(0.0..=256.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
+        feet_px: f64 = 9.2,
         /// How much body a mask may have beside a part of the learned one, as a share of it. By hand: true masks of ten
         /// captures have at most 12 %.
         #[range(0.0..=100.0)]
@@ -48,14 +48,14 @@ stage::params! {
 }
 
 impl AlarmParams {
-    /// By part, in the order of [`BodyPart::ALL`]. \[%\]
-    fn most_pct(&self) -> [f64; 5] {
+    /// By part, in the order of [`BodyPart::ALL`]. \[pixels of the network\]
+    fn most_px(&self) -> [f64; 5] {
         [
-            self.head_pct,
-            self.trunk_pct,
-            self.arms_pct,
-            self.legs_pct,
-            self.feet_pct,
+            self.head_px,
+            self.trunk_px,
+            self.arms_px,
+            self.legs_px,
+            self.feet_px,
         ]
     }
 }
@@ -77,7 +77,7 @@ pub struct Alarm;
 
 impl Stage for Alarm {
     const NAME: &'static str = "silhouette.alarm";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Finds masks that leave out or add a part of the body where a learned sense of a person sees otherwise, and warns of them by photo and part; of a thing it finds nothing.";
     type Params = AlarmParams;
     type Input = AlarmInput;
@@ -95,10 +95,10 @@ impl Stage for Alarm {
             let of = seen.iter().filter(|(_, all)| odd(all));
             of.map(|(id, _)| *id).collect()
         };
-        let most = p.most_pct();
+        let most = p.most_px();
         let lost = BodyPart::ALL.map(|part| {
             let k = part as usize;
-            photos(&|all| 100.0 * all[k].lost > most[k])
+            photos(&|all| all[k].lost_px > most[k])
         });
         let added = photos(&|all| all.iter().any(|d| 100.0 * d.kept > p.added_pct));
         let parts = LostParts {

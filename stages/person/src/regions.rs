@@ -1,13 +1,13 @@
 //! Where a mask and the learned one disagree by more than the learned one's own width, by region of the body.
 
 use nalgebra::Point2;
-use shape::{Found, Mask};
+use shape::{Found, Mask, signed_distance};
 
-/// What two masks disagree in, as shares of the region.
+/// What two masks disagree in.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Disagreement {
-    /// Not in the mask, of what is deep inside of the learned body.
-    pub lost: f64,
+    /// How wide the widest piece is that the network is sure of, and the mask leaves out. \[pixels of the network\]
+    pub lost_px: f64,
     /// In the mask, but far outside of the learned body; as a share of the learned region.
     pub kept: f64,
 }
@@ -15,6 +15,10 @@ pub struct Disagreement {
 /// How far the learned outline may be off: the mean error of its contour was 1 to 2 pixels on all captures that were
 /// looked at. \[pixels of the network\]
 const WIDTH_PX: usize = 2;
+
+/// From these log-odds on the network is sure, derived: 19 to 1 by its calibration in `models/person/calibrate.py`.
+/// \[sixteenths of a nat\]
+const SURE: i8 = 90;
 
 /// By region, in the order of [`BodyPart::ALL`](shape::BodyPart::ALL).
 pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
@@ -30,45 +34,49 @@ pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
         let right = mask.width as f32 - 0.5;
         *x >= -0.5 && *y >= -0.5 && *x < right && *y < mask.height as f32 - 0.5
     };
+    let shows = |[x, y]: &[f32; 2]| mask.shows(Point2::new(f64::from(*x), f64::from(*y)));
     let inside: Vec<bool> = places.iter().map(on_photo).collect();
     let learned: Vec<bool> = (0..places.len())
         .map(|i| inside[i] && found.body.data[i] > 0)
         .collect();
-    let deep = spread(&learned, width, false);
-    let near = spread(&learned, width, true);
-    let (mut area, mut inner) = ([0usize; 5], [0usize; 5]);
-    let (mut lost, mut kept) = (area, area);
+    let near = spread(&learned, width);
+    let lost = (0..places.len()).map(|i| {
+        let sure = inside[i] && found.body.data[i] >= SURE;
+        if sure && !shows(&places[i]) { 255 } else { 0 }
+    });
+    let depth = signed_distance(&Mask {
+        width,
+        height,
+        data: lost.collect(),
+    });
+    let (mut area, mut kept) = ([0usize; 5], [0usize; 5]);
+    let mut lost_px = [0.0f64; 5];
     for (i, at) in places.iter().enumerate().filter(|(i, _)| inside[*i]) {
-        let shown = mask.shows(Point2::new(f64::from(at[0]), f64::from(at[1])));
-        let (is_lost, is_kept) = (deep[i] && !shown, shown && !near[i]);
+        let is_kept = !near[i] && shows(at);
         if !(learned[i] || is_kept) {
             continue;
         }
         let region = found.part_at(*at) as usize;
         area[region] += usize::from(learned[i]);
-        inner[region] += usize::from(deep[i]);
-        lost[region] += usize::from(is_lost);
         kept[region] += usize::from(is_kept);
+        lost_px[region] = lost_px[region].max(2.0 * f64::from(depth.data[i]));
     }
-    std::array::from_fn(|k| {
-        let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
-        Disagreement {
-            lost: share(lost[k], inner[k]),
-            kept: share(kept[k], area[k]),
-        }
+    std::array::from_fn(|k| Disagreement {
+        lost_px: lost_px[k],
+        kept: kept[k] as f64 / area[k].max(1) as f64,
     })
 }
 
-/// Widened by the learned outline's width where `wider`, else narrowed; beyond the border is what is at it.
-fn spread(of: &[bool], width: usize, wider: bool) -> Vec<bool> {
+/// Widened by the learned outline's width.
+fn spread(of: &[bool], width: usize) -> Vec<bool> {
     let height = of.len() / width.max(1);
     let along = |of: &[bool], step: usize, place: &dyn Fn(usize) -> (usize, usize)| -> Vec<bool> {
         let any = |i: usize| {
             let (at, n) = place(i);
             let (from, to) = (at.saturating_sub(WIDTH_PX), (at + WIDTH_PX).min(n - 1));
-            (from..=to).any(|k| of[i + k * step - at * step] == wider)
+            (from..=to).any(|k| of[i + k * step - at * step])
         };
-        (0..of.len()).map(|i| any(i) == wider).collect()
+        (0..of.len()).map(any).collect()
     };
     let rows = along(of, 1, &|i| (i % width, width));
     along(&rows, width, &|i| (i / width, height))
@@ -123,11 +131,11 @@ mod tests {
     }
 
     #[test]
-    fn a_lost_leg_is_told_by_its_region_and_the_outlines_width_is_not() {
+    fn a_lost_leg_is_named_by_its_part_and_width() {
         let found = found();
         let mut mask = found.mask(512, 512);
         assert_eq!(disagreement(&found, &mask), [Disagreement::default(); 5]);
-        // Two pixels of the network narrower or wider is nothing.
+        // Two pixels of the network narrower are that wide, and two wider are nothing.
         let shifted = |by: isize| {
             let mut moved = mask.clone();
             for (i, v) in moved.data.iter_mut().enumerate() {
@@ -136,17 +144,19 @@ mod tests {
             }
             moved
         };
-        assert_eq!(
-            disagreement(&found, &shifted(4)),
-            [Disagreement::default(); 5]
+        let narrower = disagreement(&found, &shifted(4));
+        assert!(
+            narrower.iter().all(|d| d.lost_px < 2.5 && d.kept == 0.0),
+            "{narrower:?}"
         );
         for y in 290..512 {
             (270..512).for_each(|x| *mask.at_mut(x, y) = 0);
         }
+        // A leg of twenty pixels from its joint to the photo's right is lost.
         let reported = disagreement(&found, &mask);
-        assert!((0.25..0.6).contains(&reported[3].lost), "{reported:?}");
+        assert!((18.0..22.0).contains(&reported[3].lost_px), "{reported:?}");
         assert!(
-            reported[1].lost < 0.01 && reported.iter().all(|d| d.kept == 0.0),
+            reported[0].lost_px == 0.0 && reported.iter().all(|d| d.kept == 0.0),
             "{reported:?}"
         );
         for y in 100..200 {

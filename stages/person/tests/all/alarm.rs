@@ -69,6 +69,22 @@ fn masks_without_legs_or_head_are_named_by_photo() {
         ..LostParts::default()
     };
     assert_eq!(reported(&masks), (nothing, vec![]));
+    // Holes amid the trunk, of four and of twelve pixels of the network.
+    let holed = |wide: f32| {
+        let mut masks = masks.clone();
+        let found = people.subject(PhotoId(2)).unwrap();
+        let middle = [0, 1].map(|k| {
+            let trunk = [11, 12, 23, 24].map(|joint| found.joints[joint].at_px[k]);
+            trunk.iter().sum::<f32>() / 4.0
+        });
+        let reach = wide * found.pixel_px() / 2.0;
+        let [columns, rows] = middle.map(|v| (v - reach) as usize..(v + reach) as usize);
+        let mask = masks.views.get_mut(PhotoId(2)).unwrap();
+        rows.for_each(|y| mask.data[y * 800..][columns.clone()].fill(0));
+        reported(&masks).0
+    };
+    assert_eq!(holed(4.0), reported(&masks).0);
+    assert_eq!(holed(12.0).of(BodyPart::Trunk), [PhotoId(2)]);
     // Nothing below the hips on one; the upper half on another.
     let mut broken = masks.clone();
     let legs = broken.views.get_mut(PhotoId(1)).unwrap();
