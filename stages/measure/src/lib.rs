@@ -61,6 +61,7 @@ pub use sections::one::{SectionMeasurement, Why};
 pub use sections::picked::{BadPoints, picked};
 pub use sections::split::{Parted, parted};
 pub use sections::taken::taken;
+pub use uncertainty::clothes::leg_step;
 pub use uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 
 /// Every stage of this room, in the order in which data flows through it.

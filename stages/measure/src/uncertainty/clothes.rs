@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use shape::{GirthId, Landmark, Unit};
 use stage::{Field, Message, message};
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 stage::messages! {
     HIDES = "warn-worn-hides": "what is worn hangs away from the legs by {off} at its hem, {height} above the ground, so the body under it is not known: wear tight shorts";
@@ -22,7 +23,7 @@ const WIDE: (usize, usize) = (12, 4);
 /// Where a hem is looked for, as shares of stature, structural: between ankles and crotch.
 const LEGS: (f64, f64) = (0.12, 0.44);
 /// How sharply bare legs step at most, as a share of stature. Fitted: mean and three standard deviations of the first forty
-/// bodies of `models/made/strangers.py`; of six scans the most is 0.0005.
+/// bodies of `models/made/strangers.py` (`models/tables/hems.csv`); of six scans the most is 0.0005.
 const BARE: f64 = 0.0009;
 /// What is seen of a hem is beyond so many standard deviations (three-sigma rule: Pukelsheim 1994).
 const SURE: f64 = 3.0;
@@ -65,15 +66,43 @@ impl Hem {
     }
 }
 
-/// The hem that hangs away most sharply, if any does.
-pub(crate) fn hem(body: &Body) -> Option<Hem> {
+/// Legs in slices: how far they reach, where a hem is looked for, and how sharply they step there. \[mm\]
+struct Legs<'a> {
+    slices: Vec<&'a Slice>,
+    reaches: Vec<[f64; WAYS]>,
+    inside: Range<usize>,
+    steps: Vec<f64>,
+}
+
+fn legs(body: &Body) -> Option<Legs<'_>> {
     let far = (WIDE.0 + WIDE.1) as f64 * (body.slices.get(1)?.z - body.slices[0].z);
     let [low, high] = [LEGS.0, LEGS.1].map(|share| body.ground + share * body.stature);
     let slices: Vec<&Slice> = body.between(low - far, high + far).collect();
     let reaches: Vec<[f64; WAYS]> = slices.iter().map(|s| reach(s)).collect::<Option<_>>()?;
     let inside = WIDE.0 + WIDE.1..slices.len().saturating_sub(WIDE.0 + WIDE.1);
-    let sharp = |i: usize| step(&reaches, i, SHARP);
-    let all: Vec<f64> = inside.clone().map(sharp).collect();
+    let steps = inside.clone().map(|i| step(&reaches, i, SHARP)).collect();
+    Some(Legs {
+        slices,
+        reaches,
+        inside,
+        steps,
+    })
+}
+
+/// How sharply the legs of a body step at most, as a share of stature: bare ones less than `BARE`.
+pub fn leg_step(body: &Body) -> Option<f64> {
+    let most = legs(body)?.steps.into_iter().reduce(f64::max)?;
+    Some(most / body.stature)
+}
+
+/// The hem that hangs away most sharply, if any does.
+pub(crate) fn hem(body: &Body) -> Option<Hem> {
+    let Legs {
+        slices,
+        reaches,
+        inside,
+        steps: all,
+    } = legs(body)?;
     let usual = middle(all.clone());
     let spread = 1.4826 * middle(all.iter().map(|s| (s - usual).abs()).collect());
     let most = inside.clone().zip(all);
@@ -127,4 +156,21 @@ fn reach(slice: &Slice) -> Option<[f64; WAYS]> {
 fn middle(mut all: Vec<f64>) -> f64 {
     all.sort_by(f64::total_cmp);
     all.get(all.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::table::Table;
+
+    #[test]
+    fn bare_legs_step_as_sharply_as_those_of_made_bodies() {
+        let table = Table::checked_in("hems.csv");
+        let most = table.numbers("most").unwrap();
+        let n = most.len() as f64;
+        let mean = most.iter().sum::<f64>() / n;
+        let square = most.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / n;
+        assert_eq!(most.len(), 40);
+        proof::near(mean + SURE * square.sqrt(), BARE, 5e-5);
+    }
 }
