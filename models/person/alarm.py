@@ -5,7 +5,7 @@
     models/person/alarm.py lost.jsonl [HELD_OUT.jsonl]
 
 By part: the middle between the most that a true mask leaves out, and what nine in ten masks leave out that lack a limb of that part (of
-two); where these overlap, the middle between the most of both. Prints them, and by part how many true masks and how many without a
+two); where these overlap, twice the most of a true mask. Prints them, and by part how many true masks and how many without a
 limb are named, of the fit and of the held-out. `stages/person/src/alarm.rs` holds the numbers. Wants numpy.
 """
 
@@ -27,7 +27,7 @@ def read(path):
 def bound(true, lacking):
     """The width from which on a mask is named."""
     most, tenth = true.max(), np.quantile(lacking, 0.1)
-    return (most + (tenth if tenth > most else lacking.max())) / 2
+    return (most + tenth) / 2 if tenth > most else 2 * most
 
 
 def main(fitted_on, held_out=None):

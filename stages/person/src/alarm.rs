@@ -38,7 +38,7 @@ stage::params! {
         /// Feet.
         #[range(0.0..=256.0)]
         #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
-        feet_px: f64 = 9.2,
+        feet_px: f64 = 15.0,
         /// How much body a mask may have beside a part of the learned one, as a share of it. By hand: true masks of ten
         /// captures have at most 12 %.
         #[range(0.0..=100.0)]

@@ -96,7 +96,6 @@ fn masks_without_legs_or_head_are_named_by_photo() {
     assert_eq!(parts.of(BodyPart::Head), [PhotoId(3)]);
     let says = |what: &str| reported.iter().any(|t| t.contains(what));
     assert!(says("a leg or a part of it on 0004.jpg,"), "{reported:?}");
-    assert!(says("a foot or a part of it on 0004.jpg,"), "{reported:?}");
     assert!(
         says("the head or a part of it on 0013.jpg,"),
         "{reported:?}"
