@@ -3,14 +3,17 @@
 
     docs/tables/strangers.py TAILOR BODIES SCANS [FROM TO] > docs/tables/strangers.json
 
-BODIES is the folder that `models/made/strangers.py` wrote, of which those from FROM to before TO (100, 150) are measured: the first hundred
-were looked at while the program was made. SCANS has PLY files of people (mm, soles at z = 0, facing -y) and levels.json, heights of WC and CC
+BODIES is the folder that `models/made/strangers.py` wrote, of which those from FROM to before TO (160, 200) are measured: those before
+were looked at while the program was made. `people` of a level is how many deviations of the survey's people of the same true heights and
+girths the rig's own level is above theirs. SCANS has PLY files of people (mm, soles at z = 0, facing -y) and levels.json, heights of WC and CC
 set by eye with a half width: the true tape is the program's own girth there, arms parted as it parts them, and at both ends of what the eye
 leaves open. Of a drawn neck the tape is taken twice: in the rig's plane, which may
 run through shoulders or chin, and through the same larynx as a tape comes to rest that is free to tilt: where it is shortest (`NC_rest`).
 Wants numpy, scipy and trimesh.
 """
 
+import csv
+import functools
 import json
 import pathlib
 import subprocess
@@ -26,6 +29,9 @@ PLANES = {"HC": "hip", "WC_navel": "navel", "CC": "chest", "NC": "neck", "AC_L":
 PLANES |= {"TC_L": "thigh_l", "TC_R": "thigh_r", "CFC_L": "calf_l", "CFC_R": "calf_r"}
 BY_EYE = ["WC", "CC"]
 LEVEL = ["HC", "WC_navel", "CC"]
+SURVEY = pathlib.Path(__file__).parent.parent.parent / "models" / "tables" / "ansur2.csv"
+KNOWN = ["buttockheight", "cervicaleheight", "neckcircumference", "buttockcircumference", "waistcircumference", "chestcircumference"]
+LEVELS = {"CC": ("chestheight", "nipple_l"), "WC_navel": ("waistheightomphalion", "navel")}
 
 
 def girths(tailor, surface, own=None):
@@ -53,6 +59,8 @@ def drawn(tailor, truth_file):
     given, missing = girths(tailor, truth_file.with_suffix(".ply"))
     rows = [row(n, given, missing, truth["planes"][p]["tape_clean"]) for n, p in PLANES.items()]
     for r in rows:
+        if r["girth"] in LEVELS:
+            r["people"] = above_people(truth, *LEVELS[r["girth"]])
         if r["girth"] in LEVEL and "tape" in r:
             r["level"] = round(given[r["girth"]]["plane"]["point_mm"][2] - truth["planes"][PLANES[r["girth"]]]["point"][2], 1)
     if "NC" in given:
@@ -61,6 +69,31 @@ def drawn(tailor, truth_file):
         tape = min(around(mesh, larynx, [0, -np.sin(a), np.cos(a)], given["NC"]["plane"]["point_mm"]) for a in leans)
         rows.append(row("NC", given, missing, tape) | {"girth": "NC_rest"})
     return {"body": truth["number"], "touching": truth["pose"]["arm_l"] < 15, "remeshed": "voxel" in truth["finish"], "rows": rows}
+
+
+@functools.cache
+def people(level):
+    """Means and covariances of the survey's women and men: heights and girths as shares of stature, its logarithm, and a level."""
+    with SURVEY.open() as file:
+        rows = list(csv.DictReader(file))
+    shares = lambda row: [float(row[c]) / float(row["stature"]) for c in [*KNOWN, level]]
+    of = lambda sex: np.array([[np.log(float(r["stature"])), *shares(r)] for r in rows if r["sex"] == sex])
+    return [(x.mean(axis=0), np.cov(x.T)) for x in map(of, "fm")]
+
+
+def above_people(truth, level, mark):
+    """How far a drawn body's mark is above where people of the likelier sex have it, whose other measures are all its own. [deviations]"""
+    tall, marks, planes = truth["stature"], truth["marks"], truth["planes"]
+    own = [marks["buttock"][2], marks["cervicale"][2], *(planes[p]["tape_clean"] for p in ("neck", "hip", "navel", "chest"))]
+    own = np.array([np.log(tall), *(x / tall for x in own)])
+    fits = []
+    for mean, spread in people(level):
+        among, across = spread[:-1, :-1], spread[:-1, -1]
+        off, weights = own - mean[:-1], np.linalg.solve(among, across)
+        log = -(off @ np.linalg.solve(among, off) + np.linalg.slogdet(among)[1]) / 2
+        at = mean[-1] + weights @ off
+        fits.append((log, (marks[mark][2] / tall - at) / np.sqrt(spread[-1, -1] - weights @ across)))
+    return round(float(max(fits)[1]), 2)
 
 
 def around(mesh, point, normal, near):
@@ -95,7 +128,7 @@ def scanned(tailor, surface, levels):
     return {"scan": surface.stem, "rows": rows}
 
 
-def main(tailor, bodies, scans, first="100", end="150"):
+def main(tailor, bodies, scans, first="160", end="200"):
     """All bodies, and all scans."""
     files = [f for f in sorted(pathlib.Path(bodies).glob("**/[0-9]*.json")) if int(first) <= int(f.stem) < int(end)]
     made = []

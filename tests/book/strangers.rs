@@ -47,8 +47,19 @@ fn cells(rows: &[&Value]) -> String {
             format!("{}; {:.0}", signed(&format!("{mean:+.0}")), square.sqrt())
         }
     };
+    let people: Vec<f64> = rows
+        .iter()
+        .filter_map(|row| row["people"].as_f64())
+        .collect();
+    let of_people = match people.len() {
+        0 => String::new(),
+        n => {
+            let near = people.iter().filter(|off| off.abs() < 1.645).count();
+            format!("{:.2}", near as f64 / n as f64)
+        }
+    };
     format!(
-        "{} of {} | {level} | {} | {}; {} | {} | {share:.2} |",
+        "{} of {} | {level} | {} | {}; {} | {} | {share:.2} | {of_people} |",
         judged.len(),
         rows.len(),
         signed(&format!("{:+.2}", mean(|j| j.error))),
@@ -68,7 +79,7 @@ fn intervals_on_bodies_that_nothing_was_fitted_to() {
         rows.filter(ours).cloned().collect()
     };
     let mut table = String::from(
-        "| | given | level, mean; deviation, mm | tape, mean, % | middle; nine in ten, % | half an interval, % | 90 % interval holds |\n|---|---|---|---|---|---|---|\n",
+        "| | given | level, mean; deviation, mm | tape, mean, % | middle; nine in ten, % | half an interval, % | 90 % interval holds | the survey's would |\n|---|---|---|---|---|---|---|---|\n",
     );
     for (head, all, names) in [
         ("hip", "bodies", &["HC"][..]),
