@@ -32,6 +32,9 @@ pub(crate) const MESSAGES: &[&[stage::Template]] = &[
     cli::MESSAGES[1],
     cli::MESSAGES[2],
     cli::MESSAGES[3],
+    cli::MESSAGES[4],
+    cli::MESSAGES[5],
+    cli::MESSAGES[6],
     words::alike::MESSAGES,
     #[cfg(feature = "serve")]
     serve::MESSAGES,

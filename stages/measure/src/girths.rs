@@ -38,11 +38,10 @@ stage::params! {
         #[range(0.0..=10.0)]
         #[source(structural)]
         compression_pct: f64 = 0.0,
-        /// How far an interval may reach to either side of its tape, in % of it: a girth with a wider one is refused, as is one
-        /// whose interval is as wide as grown people of one sex differ.
+        /// How far an interval may reach to either side of its tape, in % of it: a girth with a wider one is refused.
         #[range(1.0..=100.0)]
-        #[source(structural)]
-        widest_pct: f64 = 100.0,
+        #[source(cited = "ANSUR II: nine in ten waists of one sex are within so much of the middle one, and no girth differs more")]
+        widest_pct: f64 = 19.4,
         /// Whether the surface is a hull that nothing made rounder: its tapes are too long by corners between outlines,
         /// which are taken off.
         hull: bool = false,

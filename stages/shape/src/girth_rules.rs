@@ -67,23 +67,6 @@ impl Region {
             _ => 4.0,
         }
     }
-
-    /// How far nine in ten grown people of one sex are from the middle one, as a share of that one's tape: half of the range
-    /// from the 5th to the 95th in 100 of ANSUR II, mean of women and men (`models/tables/ansur2.csv`; upper arms and forearms
-    /// as they are flexed). An interval that reaches as far tells no more of a body than that it is one. What is measured
-    /// anywhere counts as the waist, which differs most.
-    pub fn spread(self) -> f64 {
-        match self {
-            Region::Neck => 0.099,
-            Region::Chest => 0.139,
-            Region::Waist | Region::Anywhere => 0.194,
-            Region::Hip => 0.124,
-            Region::UpperArm => 0.163,
-            Region::Forearm => 0.117,
-            Region::Thigh => 0.151,
-            Region::Calf => 0.126,
-        }
-    }
 }
 
 /// The plane of a girth.
@@ -143,41 +126,4 @@ pub enum GirthSet {
     Ansur,
     /// The paper's five.
     Paper,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Region;
-
-    #[test]
-    fn the_spread_of_a_region_is_that_of_the_survey() {
-        let file = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../models/tables/ansur2.csv"
-        );
-        let mut table = csv::Reader::from_path(file).unwrap();
-        let head = table.headers().unwrap().clone();
-        let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
-        let spread = |column: &str, sex: &str| {
-            let at = head.iter().position(|name| name == column).unwrap();
-            let own = rows.iter().filter(|row| &row[0] == sex);
-            let mut all: Vec<f64> = own.map(|row| row[at].parse().unwrap()).collect();
-            all.sort_by(f64::total_cmp);
-            let share = |p: f64| all[(p * (all.len() - 1) as f64).round() as usize];
-            (share(0.95) - share(0.05)) / share(0.5) / 2.0
-        };
-        for (region, column) in [
-            (Region::Neck, "neckcircumference"),
-            (Region::Chest, "chestcircumference"),
-            (Region::Waist, "waistcircumference"),
-            (Region::Hip, "buttockcircumference"),
-            (Region::UpperArm, "bicepscircumferenceflexed"),
-            (Region::Forearm, "forearmcircumferenceflexed"),
-            (Region::Thigh, "thighcircumference"),
-            (Region::Calf, "calfcircumference"),
-        ] {
-            let mean = (spread(column, "f") + spread(column, "m")) / 2.0;
-            proof::near(region.spread(), mean, 0.001);
-        }
-    }
 }

@@ -22,7 +22,7 @@ stage::messages! {
     NO_SECTION = "warn-no-section": "the surface has no closed section there";
     NO_EXTREME = "warn-no-extreme": "this body is nowhere narrowest or fullest between the marks of this definition: choose another";
     OUT_OF_RANGE = "warn-out-of-range": "the body is outside of what the level model was fitted on, so the level is not known well enough";
-    TOO_UNCERTAIN = "warn-too-uncertain": "the interval would be as wide as people differ in this girth, or wider than asked for, so no number is given: more and larger photos, tight clothes, arms away from the body and a photo of the empty scene make it narrower";
+    TOO_UNCERTAIN = "warn-too-uncertain": "the interval would be too wide to be of use, so no number is given: more and larger photos, tight clothes, arms away from the body and a photo of the empty scene make it narrower";
     EMPTY_PHOTO = "warn-empty-photo": "a photo shows no subject: leave it out, or correct its mask";
     OUTLINES = "warn-outlines": "the outlines of some photos contradict those of all other photos: look at these masks";
     INCOMPLETE = "warn-incomplete": "a large part of the body is missing on the surface: look at the masks";
@@ -67,7 +67,7 @@ pub enum Refusal {
     NoExtreme,
     /// The body is outside of what the level model was fitted on.
     OutOfRange,
-    /// The interval is as wide as people differ, or wider than asked for, or reaches zero.
+    /// The interval is wider than asked for, or reaches zero.
     TooUncertain,
     /// Some photos show no subject.
     EmptyPhoto,

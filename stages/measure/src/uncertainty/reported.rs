@@ -6,7 +6,7 @@ use crate::uncertainty::interval::{Level, NINE_IN_TEN, interval, together, too_w
 use crate::uncertainty::outlines::{shared_border, surface_by_cameras};
 use crate::uncertainty::silhouette::Support;
 use nalgebra::Point3;
-use shape::{Cameras, Girth, GirthId, Landmark, Note, Refusal, Region, Sigmas, Split};
+use shape::{Cameras, Girth, GirthId, Landmark, Note, Refusal, Sigmas, Split};
 use std::f64::consts::TAU;
 
 /// From this share of a tape on it is told that no outline confirms it.
@@ -67,8 +67,7 @@ impl Sure<'_> {
             scale_mm: self.scale(tape),
             ..girth.sigmas
         };
-        let limits = [self.widest, Region::Anywhere.spread()];
-        let interval_mm = reported(tape, tape, &sigmas, limits)?;
+        let interval_mm = reported(tape, tape, &sigmas, self.widest)?;
         Ok(Girth {
             sigmas,
             interval_mm,
@@ -119,8 +118,7 @@ impl Sure<'_> {
         if let Some(mm) = worn {
             sigmas.cover_mm = Some(libm::hypot(mm, sigmas.cover_mm.unwrap_or(0.0)));
         }
-        let limits = [self.widest, landmark.region.spread()];
-        let interval_mm = reported(tape_mm, mean, &sigmas, limits)?;
+        let interval_mm = reported(tape_mm, mean, &sigmas, self.widest)?;
         let again = level
             .again
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
@@ -164,19 +162,19 @@ fn round(
     )
 }
 
-/// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide by [`too_wide`]'s limits. `mean`
+/// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
 /// is what mesh and outlines tell together. \[mm\]
 fn reported(
     tape: f64,
     mean: f64,
     sigmas: &Sigmas,
-    limits: [f64; 2],
+    widest: f64,
 ) -> Result<Option<[f64; 2]>, Refusal> {
     if !sigmas.unknown().is_empty() {
         return Ok(None);
     }
     let ends = interval(tape, mean, reach(sigmas), sigmas.cover_mm.unwrap_or(0.0));
-    match too_wide(tape, ends, limits) {
+    match too_wide(tape, ends, widest) {
         true => Err(Refusal::TooUncertain),
         false => Ok(Some(ends)),
     }
@@ -250,20 +248,20 @@ mod tests {
             ..Sigmas::EXACT
         };
         assert_eq!(
-            reported(900.0, 900.0, &known, [0.25; 2]),
+            reported(900.0, 900.0, &known, 0.25),
             Ok(Some([900.0, 900.0]))
         );
         let level = Sigmas {
             level_mm: None,
             ..Sigmas::EXACT
         };
-        assert_eq!(reported(900.0, 900.0, &level, [0.25; 2]), Ok(None));
+        assert_eq!(reported(900.0, 900.0, &level, 0.25), Ok(None));
         let wide = Sigmas {
             level_mm: Some(150.0),
             ..Sigmas::EXACT
         };
         assert_eq!(
-            reported(900.0, 900.0, &wide, [0.25; 2]),
+            reported(900.0, 900.0, &wide, 0.25),
             Err(Refusal::TooUncertain)
         );
         let [low, high] = reported(
@@ -274,7 +272,7 @@ mod tests {
                 surface_mm: Some(4.0),
                 ..Sigmas::EXACT
             },
-            [0.25; 2],
+            0.25,
         )
         .unwrap()
         .unwrap();

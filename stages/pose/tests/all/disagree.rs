@@ -15,11 +15,11 @@ fn a_stature_that_is_off_by_more_than_can_be_seen_wrongly_is_named_with_both_num
         assert_eq!(found.unwrap().scale, Scale::Mat);
         warned
     };
-    // The post is 800 mm tall.
-    assert_eq!(warned(800.0), [""; 0]);
-    for (mm, given) in [(815.0, "81.5 cm"), (785.0, "78.5 cm")] {
+    // The post is 800 mm tall, and has no round head, which the stature allows for.
+    assert_eq!(warned(815.0), [""; 0]);
+    for (mm, given) in [(830.0, "83.0 cm"), (800.0, "80.0 cm")] {
         let all = warned(mm);
-        let part = format!("the stature was given as {given}, but by the marker mat it is 80.");
+        let part = format!("the stature was given as {given}, but by the mat it is 81.");
         assert!(all.len() == 1 && all[0].contains(&part), "{all:?}");
     }
 }
