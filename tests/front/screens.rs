@@ -123,7 +123,9 @@ fn on_a_terminal(place: &Place) {
         "{} measure turn --out out --fast --set coarse.rounds=3",
         env!("CARGO_BIN_EXE_tailor")
     );
-    let seen = place.bash(&format!("script -qec 'stty cols 80; {line}' /dev/null"));
+    let seen = place.bash(&format!(
+        "script -qec 'stty rows 24 cols 80; {line}' /dev/null"
+    ));
     let seen = seen.code(0).out;
     assert!(seen.contains("/7] ") && seen.contains('\u{1b}'), "{seen:?}");
     let plain = !seen.contains("Surface: done") && !seen.contains("made in");
@@ -138,7 +140,9 @@ fn on_a_terminal(place: &Place) {
         ],
     );
     // A narrow one has shorter lines.
-    let narrow = place.bash(&format!("script -qec 'stty cols 60; {line}' /dev/null"));
+    let narrow = place.bash(&format!(
+        "script -qec 'stty rows 24 cols 60; {line}' /dev/null"
+    ));
     let narrow = narrow.code(0).out;
     let plain = narrow.lines().filter(|l| !l.contains('\u{1b}'));
     let plain: Vec<&str> = plain.map(str::trim_end).collect();

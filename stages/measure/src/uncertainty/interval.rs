@@ -177,7 +177,8 @@ mod tests {
     #[test]
     fn an_interval_may_be_no_wider_than_people_differ() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let mut table = csv::Reader::from_path(folder.join("../../models/tables/ansur2.csv")).unwrap();
+        let mut table =
+            csv::Reader::from_path(folder.join("../../models/tables/ansur2.csv")).unwrap();
         let head = table.headers().unwrap().clone();
         let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
         let reach = |girth: &str, sex: &str| {

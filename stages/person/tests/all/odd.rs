@@ -143,7 +143,11 @@ fn feet_that_most_photos_cut_off_stop_the_turn_unless_somebody_is_sure() {
         panic!("three of five have no feet");
     };
     let why = why.to_string();
-    for part in ["0.png, 1.png, 2.png", "below the feet", "in_view.stop=false"] {
+    for part in [
+        "0.png, 1.png, 2.png",
+        "below the feet",
+        "in_view.stop=false",
+    ] {
         assert!(why.contains(part), "{why}");
     }
     assert!(asked(3, false).is_ok());
