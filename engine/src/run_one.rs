@@ -226,7 +226,9 @@ fn make(
         // Where the disk knows no locks, or two machines made it, somebody may have been first.
         let first = around.store.record(key);
         if let Some(first) = first.filter(|first| around.store.holds(first.content)) {
-            around.store.made_again(key, &first, seconds)?;
+            // It is worth what its record has: nobody knows how long it takes the next time.
+            let worth = seconds.max(first.seconds);
+            around.store.made_again(key, &first, worth)?;
             return Ok((first, content));
         }
         let first = around.store.create_record(key, &record)?;

@@ -6,7 +6,7 @@ use super::oracle_forgotten::{self, Before};
 use super::oracle_there;
 use super::process::Process;
 use super::programs::{BAD, program};
-use super::story::{Act, What};
+use super::story::{Act, Use, What};
 use super::working::{came, one_strand, plan, ran, run, work};
 use super::world::World;
 use crate::done::Status;
@@ -68,7 +68,7 @@ fn upload(world: &World, process: &Arc<Process>) -> String {
 fn gc(world: &World, process: &Arc<Process>, most: u64, keep: usize) -> String {
     let machine = &world.machines[process.machine];
     with(world, process, |store| {
-        let before = oracle::kept(machine, store);
+        let before = (oracle::kept(machine, store), machine.known.borrow().losses);
         let in_use = machine.working.get() > 0;
         machine.sweeping.set(machine.sweeping.get() + 1);
         let budget = Budget {
@@ -88,8 +88,10 @@ fn gc(world: &World, process: &Arc<Process>, most: u64, keep: usize) -> String {
 fn forget(world: &World, process: &Arc<Process>, capture: usize) -> String {
     let m = process.machine;
     let machine = &world.machines[m];
+    // As the store is opened now.
+    let shares = matches!(machine.uses.get(), Use::Open | Use::Strict);
     with(world, process, |store| {
-        let before = Before::of(world, m, capture);
+        let before = Before::of(world, m, capture, shares);
         machine.sweeping.set(machine.sweeping.get() + 1);
         let forget = || store::forget(store, machine.capture(capture));
         let forgotten = std::panic::catch_unwind(AssertUnwindSafe(forget));
@@ -141,11 +143,12 @@ fn ask(world: &World, process: &Arc<Process>, number: usize, capture: usize) -> 
     let machine = &world.machines[m];
     let graph = program(number);
     let granted = || machine.known.borrow().granted.contains(&number);
+    let grants = || machine.known.borrow().grants.get(&number).copied();
     machine.known.borrow_mut().touched(capture);
-    let before = granted();
+    let (before, grants_before) = (granted(), grants());
     let ran = ran(world, process, (&graph, capture));
-    // Other processes may change that meanwhile.
-    let (always, ever) = (before && granted(), before || granted());
+    // Other processes may change that meanwhile, also for a while only.
+    let (always, ever) = (before && granted(), before || grants() != grants_before);
     match ran {
         Err(why) => why,
         Ok(Err(EngineError::NotAllowed(_))) if !always => "refused".into(),

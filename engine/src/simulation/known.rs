@@ -8,6 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) struct Known {
     /// Programs that its user allowed.
     pub(super) granted: BTreeSet<usize>,
+    /// How often the user allowed a program.
+    pub(super) grants: BTreeMap<usize, u32>,
+    /// How often something happened to its files.
+    pub(super) losses: u32,
     /// What is being made.
     pub(super) making: BTreeSet<String>,
     /// The contents of each run that came to its end.
@@ -33,6 +37,7 @@ impl Known {
         self.durable.clear();
         self.noted.clear();
         self.harmed = true;
+        self.losses += 1;
     }
 
     /// A capture is forgotten.

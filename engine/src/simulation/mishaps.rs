@@ -81,7 +81,9 @@ fn permission(world: &World, m: usize, what: &What) -> String {
     if allow {
         let allowed = permission::allow(&graph, &nodes);
         if allowed.is_ok() {
-            machine.known.borrow_mut().granted.insert(number);
+            let mut known = machine.known.borrow_mut();
+            known.granted.insert(number);
+            *known.grants.entry(number).or_default() += 1;
         }
         return format!("{}", allowed.is_ok());
     }

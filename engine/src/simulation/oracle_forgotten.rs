@@ -3,7 +3,6 @@
 use super::captures::{has, needles};
 use super::machine::Machine;
 use super::oracle_there::There;
-use super::story::Use;
 use super::world::World;
 use crate::own;
 use crate::store::{Forgotten, StoreError, below};
@@ -15,6 +14,8 @@ use std::sync::atomic::Ordering;
 pub(super) struct Before {
     /// Whether a run is using the store.
     in_use: bool,
+    /// Whether it is linked to the shared store, and may remove there.
+    shares: bool,
     /// How many answers of the shared store were not true until then.
     lied: u64,
     /// What is in the shared store.
@@ -38,7 +39,7 @@ fn notes(world: &World, m: usize, capture: usize) -> BTreeSet<String> {
 
 impl Before {
     /// Of a capture of a machine.
-    pub(super) fn of(world: &World, m: usize, capture: usize) -> Before {
+    pub(super) fn of(world: &World, m: usize, capture: usize, shares: bool) -> Before {
         let machine = &world.machines[m];
         let [_, folder] = needles(m, capture);
         let names = |path: &PathBuf| {
@@ -52,6 +53,7 @@ impl Before {
         }
         Before {
             in_use: machine.working.get() > 0,
+            shares,
             lied: world.server.lied.load(Ordering::Relaxed),
             there: There::of(world, m, capture),
             notes,
@@ -63,9 +65,8 @@ impl Before {
     fn counts_there(&self, world: &World, machine: &Machine) -> bool {
         let all: usize = world.machines.iter().map(|m| m.active.get()).sum();
         let alone = all == machine.active.get();
-        let shared = matches!(machine.uses.get(), Use::Open | Use::Strict);
         let untrue = world.server.lied.load(Ordering::Relaxed) > self.lied;
-        shared && alone && !untrue
+        self.shares && alone && !untrue
     }
 }
 

@@ -182,10 +182,9 @@ fn forget_runs(store: &Store, trace: &Trace, forgotten: &mut Forgotten) -> Resul
     let root = store.root();
     let mut going = BTreeSet::new();
     for id in past::all_ids(root).map_err(at(&root.join("runs")))? {
-        let head = past::head(root, &id);
-        let mine = |head: &past::Head| head.of.inputs.values().any(|input| trace.has(input));
-        if head.as_ref().is_none_or(mine) {
-            forgotten.broken += usize::from(head.is_none());
+        let mine = trace.is_in_run(root, &id).map_err(at(&root.join("runs")))?;
+        forgotten.broken += usize::from(mine.is_none());
+        if mine != Some(false) {
             going.insert(id);
         }
     }

@@ -83,6 +83,23 @@ impl Trace {
         Some(plan.inputs.iter().any(of))
     }
 
+    /// Whether the record of a run names the folder or its files; `None` if it cannot be read.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
+    pub(super) fn is_in_run(&self, root: &Path, id: &str) -> Result<Option<bool>> {
+        let Some(head) = past::read_head(root, id)? else {
+            return Ok(None);
+        };
+        // Bits may flip in what it calls the folder, since that was traced.
+        let of = |(folder, files): &(String, Vec<String>)| {
+            !Path::new(folder).exists() && self.is_of(files)
+        };
+        let named = head.of.inputs.values().any(|input| self.has(input));
+        Ok(Some(named || files_of_run(root, id, &head)?.iter().any(of)))
+    }
+
     /// What is remembered of files, without the folder's own; and whether any were.
     pub(super) fn memo(&self, store: &Store) -> (Vec<u8>, bool) {
         let memo = Memo::load(&store.root().join("files.json"));
@@ -145,18 +162,21 @@ fn leads(from: &Path, to: &Path, unread: &mut Vec<PathBuf>) -> bool {
 fn files_of_runs(root: &Path) -> Result<Vec<(String, Vec<String>)>> {
     let mut all = Vec::new();
     for id in past::all_ids(root)? {
-        let Some(head) = past::read_head(root, &id)? else {
-            continue;
-        };
-        let lists = past::read_file_lists(root, &id, &head)?;
-        for (input, files) in lists.unwrap_or_default() {
-            if let Some(folder) = head.of.inputs.get(&input) {
-                let hashes = files.into_iter().map(|(_, hash)| hash).collect();
-                all.push((folder.clone(), hashes));
-            }
+        if let Some(head) = past::read_head(root, &id)? {
+            all.extend(files_of_run(root, &id, &head)?);
         }
     }
     Ok(all)
+}
+
+/// The same of one of them.
+fn files_of_run(root: &Path, id: &str, head: &past::Head) -> Result<Vec<(String, Vec<String>)>> {
+    let lists = past::read_file_lists(root, id, head)?.unwrap_or_default();
+    let of = |(input, files): (String, Vec<(String, String)>)| {
+        let hashes = files.into_iter().map(|(_, hash)| hash).collect();
+        Some((head.of.inputs.get(&input)?.clone(), hashes))
+    };
+    Ok(lists.into_iter().filter_map(of).collect())
 }
 
 impl Store {
