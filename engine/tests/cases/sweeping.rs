@@ -4,7 +4,7 @@ use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, Log, NONE, Place, chain};
 use crate::shared::{begun, caches};
 use engine::store::{Store, StoreError, keeper};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 fn budget(most: u64, keep_runs: usize) -> keeper::Budget {
     keeper::Budget {
@@ -141,4 +141,35 @@ fn a_sweep_waits_for_uploads_of_its_own_process() {
     }
     let left = sharing.finish(Duration::from_secs(20));
     assert_eq!((left.sent, left.waiting), (4, 0));
+}
+
+#[test]
+fn a_place_that_was_gone_when_it_was_to_be_met_is_met_before_it_is_swept() {
+    let place = Place::new("hello\n");
+    let [a] = caches(&place);
+    let strange = Bucket::new();
+    strange.write("ac/1.jpg", b"beach");
+    strange.later(Duration::from_secs(3600));
+    strange.fail(Faults {
+        gone: true,
+        ..Faults::default()
+    });
+    let (sharing, _) = begun(&a, &strange, false);
+    // Whoever writes there is noticed.
+    strange.fail(Faults {
+        refuses: Some("something was written"),
+        ..Faults::default()
+    });
+    let begun = Instant::now();
+    let refused = loop {
+        let refused = sharing.sweep(Duration::from_secs(60), false).err();
+        let refused = refused.map(|why| why.to_string()).unwrap_or_default();
+        // Left alone for a while after it did not answer.
+        if !refused.contains("connection refused") || begun.elapsed() > Duration::from_secs(20) {
+            break refused;
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    };
+    assert!(refused.contains("holds no store (ac/1.jpg"), "{refused}");
+    assert_eq!(strange.names(""), ["ac/1.jpg"]);
 }

@@ -101,7 +101,8 @@ impl Link {
     /// See [`Sharing::sweep`].
     pub(crate) fn sweep(&self, older: Duration, dry_run: bool) -> Result<SweptThere, Trouble> {
         let objects = &*self.objects;
-        let before = now_there(objects)? - older;
+        // Asked as all else is: only of a place whose layout is known to be ours.
+        let before = self.ask(&|| now_there(objects))? - older;
         let mut swept = SweptThere::default();
         let mut going: Vec<Vec<Object>> = Vec::new();
         for folder in FOLDERS {
