@@ -90,7 +90,7 @@ mod tests {
         pub struct Cake {
             /// How many eggs.
             #[range(0..=12)]
-            #[must(say)]
+            #[must(give)]
             eggs: u32 = 2,
             /// Its name.
             called: String = String::new(),

@@ -92,7 +92,7 @@ pub trait Params: Clone + Default + Send + Sync + 'static {
     }
 }
 
-/// Declares a stage's params: doc, optional `#[range(lo..=hi)]`, optional `#[must(say)]` where there is
+/// Declares a stage's params: doc, optional `#[range(lo..=hi)]`, optional `#[must(give)]` where there is
 /// no sense in a default, `#[chance(seed)]` where it is the seed of noise in what a method is given (not of a method's
 /// own dice), `#[source(…)]` (where the default comes from: `structural`, or `derived`, `cited`, `fitted`, `by_hand`
 /// with the evidence, as in `cited = "Lowe 2004, §4.1"`), name, type, default.
@@ -182,7 +182,7 @@ macro_rules! params {
         $to.push((stringify!($name), $crate::ParamType::value(&$value)))
     };
     (@must) => { false };
-    (@must say) => { true };
+    (@must give) => { true };
     (@chance) => { false };
     (@chance seed) => { true };
     (@source) => { $crate::NumberSource::Unrecorded };

@@ -1,4 +1,4 @@
-//! What a message says before its fields are known: a code and an English sentence with places for them.
+//! A message before its fields are known: a code and an English sentence with places for them.
 
 use crate::message::Form;
 use crate::{Field, Message};

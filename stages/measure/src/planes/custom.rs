@@ -30,12 +30,12 @@ stage::params! {
     /// mid_thigh_L and mid_thigh_R.
     pub struct OwnGirth {
         /// What it goes around.
-        #[must(say)]
+        #[must(give)]
         part: OwnPart = OwnPart::Trunk,
         /// Where: the share of the way from the part's upper joint to its lower one; of the trunk
         /// from the hip's level up to the neck's.
         #[range(0.0..=1.0)]
-        #[must(say)]
+        #[must(give)]
         #[source(structural)]
         at: f64 = 0.5,
         /// What people call it; its name if nothing is said.
