@@ -13,8 +13,8 @@ pub(crate) fn version(
     ask: &[&str],
     read_version: impl FnOnce(&str) -> Option<String>,
 ) -> Option<String> {
-    static TOLD: Mutex<BTreeMap<&str, String>> = Mutex::new(BTreeMap::new());
-    let mut all = TOLD.lock().expect("bug: poisoned");
+    static VERSIONS: Mutex<BTreeMap<&str, String>> = Mutex::new(BTreeMap::new());
+    let mut all = VERSIONS.lock().expect("bug: poisoned");
     if let Some(known) = all.get(name) {
         return Some(known.clone());
     }

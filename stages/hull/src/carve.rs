@@ -39,7 +39,7 @@ stage::params! {
         #[range(-100.0..=500.0)]
         #[source(structural)]
         ground_mm: f64 = 0.0,
-        /// A mask that alone leaves out body, so deep in all others or deeper, is warned of; 0: none
+        /// A mask that alone leaves out body, so deep in all other masks or deeper, is warned of; 0: none
         /// is. Share of the body's height. \[%\] Single views carve wedges of up to 6 % of a limb's
         /// radius on their own; 1.2 % was chosen on good masks (`contradicted.rs`).
         #[range(0.0..=20.0)]

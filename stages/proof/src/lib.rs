@@ -96,7 +96,7 @@ impl Dice {
     }
 }
 
-/// Whether a foreign program that a test needs is installed; said where it is not. Where all must be there
+/// Whether a foreign program that a test needs is installed; reported where it is not. Where all must be there
 /// (`TAILOR_ALL_PROGRAMS` is set, as it is by `.ci/run`), a missing one fails the test.
 ///
 /// # Panics
@@ -113,7 +113,7 @@ pub fn program(name: &str, package: &str) -> bool {
     there
 }
 
-/// Says what a test lacks and is passed over for; where nothing may be, that fails it, as [`program`] does.
+/// Reports what a test lacks and is passed over for; where nothing may be, that fails it, as [`program`] does.
 ///
 /// # Panics
 /// Nothing may be passed over.

@@ -44,7 +44,7 @@ stage::params! {
         atlas_px: u32 = 4096,
         /// What lengths are shown in.
         unit: ShownIn = ShownIn::Cm,
-        /// Which answer it tells: a first one says on top that it is one.
+        /// Which answer it shows: a first one has a heading for that.
         answer: Answer = Answer::Full,
     }
 }

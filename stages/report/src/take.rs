@@ -7,7 +7,7 @@ use std::sync::Arc;
 stage::inputs! {
     /// Somebody's document.
     pub struct TakeInput {
-        /// One file; its ending says what it is.
+        /// One file; its ending names its format.
         files: Arc<Files>,
     }
 }

@@ -125,7 +125,7 @@ pub struct Cameras {
     pub scale_sigma: Option<f64>,
     /// The disk's radius, where it is known. \[mm\]
     pub disk_radius_mm: Option<f64>,
-    /// Height of the ground that the subject stands on, in the turntable frame. \[mm\]
+    /// Height of the ground under the subject, in the turntable frame. \[mm\]
     pub ground_mm: f64,
     /// Points of the body and disk in the world, three numbers each. \[mm\] May be empty.
     pub points: Vec<[f32; 3]>,

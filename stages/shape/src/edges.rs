@@ -9,7 +9,7 @@ const ALONG_EDGE_PX: usize = 3;
 /// An edge of a photo.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edge {
-    /// Above the head of who stands upright.
+    /// Above the head of an upright body.
     Upper,
     /// Below the feet.
     Lower,

@@ -120,8 +120,8 @@ pub fn mesh_to_ply(mesh: &Mesh) -> Vec<u8> {
     bytes
 }
 
-/// A mesh from a PLY file. Polygons become fans of triangles. Lengths are millimetres unless a comment says that they
-/// are relative.
+/// A mesh from a PLY file. Polygons become fans of triangles. Lengths are millimetres unless a comment declares
+/// them relative.
 ///
 /// # Errors
 ///

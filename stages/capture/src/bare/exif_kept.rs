@@ -1,4 +1,4 @@
-//! What of a file's EXIF stays: of the camera, how it was held, and when.
+//! What of a file's EXIF stays: camera, orientation and time.
 
 use exif::experimental::Writer;
 use exif::{Exif, In, Reader, Tag};

@@ -4,7 +4,7 @@ use crate::video::closing::Likeness;
 use crate::video::speed::{Motion, stretch};
 
 /// So many frames, spread over what moves, are compared with each other.
-const HELD: usize = 240;
+const MOST_COMPARED: usize = 240;
 /// A disk turns evenly whose speed, as pictures change, differs by less than this share (standard
 /// deviation): a body that turns evenly changes by 0.13 to 0.24 more or less as it shows its sides.
 const EVEN: f64 = 0.35;
@@ -41,7 +41,7 @@ pub(crate) fn turn(motion: &Motion, times: &[f64]) -> Option<Turn> {
         }
     };
     let whole = come.last().copied().filter(|w| *w > 0.0)?;
-    let places = come.len().min(HELD);
+    let places = come.len().min(MOST_COMPARED);
     if places < 3 {
         return None;
     }

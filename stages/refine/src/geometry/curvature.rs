@@ -161,7 +161,7 @@ pub fn tangents(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
 
 /// The shape operator at each vertex in its [`tangents`]: `[l, m, n]` of the height
 /// `−½(l u² + 2 m u v + n v²)` over the tangent plane, by least squares over the neighbours'
-/// normals. Held within `most`. \[1/mm\]
+/// normals. Clamped to `most`. \[1/mm\]
 pub fn shape_operators(
     mesh: &Mesh,
     around: &Adjacency,

@@ -20,7 +20,7 @@ stage::messages! {
 }
 
 stage::inputs! {
-    /// A surface and the photos it is held against.
+    /// A surface and the photos it is compared with.
     pub struct OptimizeSurfaceInput {
         /// Closed; such as a hull.
         mesh: Arc<Mesh>,

@@ -210,7 +210,7 @@ fn a_child_is_compared_with_the_growth_reference_and_no_threshold_of_adults() {
     assert!(!young.contains("overweight") && !young.contains("risk increased"));
     let unknown = page_for(|_| ());
     assert!(unknown.contains("overweight") && !unknown.contains("WHO 2007"));
-    // Nor is a figure, or whoever is as short as small children, unless the age says so.
+    // Nor is a figure, or whoever is as short as small children, unless the age is a grown person's.
     let figure = |age_months| {
         page_for(|g| {
             (g.stature_mm, g.age_months) = (Some(812.0), age_months);
