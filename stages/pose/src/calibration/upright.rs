@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn photos_say_how_they_lie() {
+    fn the_way_up_is_found_in_the_photos() {
         for down in [0.0, 10.0, 40.0] {
             for roll in [-20.0, 0.0, 30.0] {
                 assert_eq!(posture(&turn(down, roll)), Posture::Upright);
@@ -90,7 +90,7 @@ mod tests {
         assert_eq!(
             posture(&turn(85.0, 180.0)),
             Posture::Upright,
-            "from above nobody can say"
+            "from above nothing shows it"
         );
     }
 }

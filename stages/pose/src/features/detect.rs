@@ -82,7 +82,7 @@ impl Around {
         }
     }
 
-    /// Calls `see` with the pixels that stand out of those, by at least so much from 0, left to right.
+    /// Calls `see` with the extremes among those, at least so far from 0, left to right.
     fn standing_out(&self, row: &[f32], least: f32, mut see: impl FnMut(usize)) {
         /// Columns that are worked on side by side (structural: speed alone).
         const AT_ONCE: usize = 16;

@@ -52,26 +52,26 @@ impl Rows<'_> {
 /// the same: they belong to what does not turn.
 pub fn still(a: &Features, b: &Features, still_px: f32) -> [Vec<bool>; 2] {
     let rows = Rows::new(b, &[]);
-    let mut stands = [vec![false; a.points.len()], vec![false; b.points.len()]];
+    let mut is_still = [vec![false; a.points.len()], vec![false; b.points.len()]];
     for (i, (k, d)) in a.points.iter().zip(&a.descriptors).enumerate() {
         for j in rows.near(k.y, still_px) {
             let other = &b.points[*j as usize];
             let here = libm::hypotf(other.x - k.x, other.y - k.y) < still_px
                 && (0.75..1.34).contains(&(other.scale / k.scale));
             if here && likeness(d, &b.descriptors[*j as usize]) > ALIKE {
-                stands[0][i] = true;
-                stands[1][*j as usize] = true;
+                is_still[0][i] = true;
+                is_still[1][*j as usize] = true;
             }
         }
     }
-    stands
+    is_still
 }
 
 /// Of the photos that are far away in the turn, the share that shows a feature again before it counts
 /// as standing still, and the least number of them.
 const AGAIN: (usize, usize) = (4, 2);
 
-/// Which features of each photo stand still, as those more than `reach` steps away in the turn show,
+/// Which features of each photo do not move, as those more than `reach` steps away in the turn show,
 /// so that what turns cannot look the same there: grain that is long and faint is found at another
 /// place in each photo, so that no single pair decides.
 pub fn standing(views: &[&Features], reach: usize, still_px: f32) -> Vec<Vec<bool>> {
@@ -181,7 +181,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn what_moved_is_matched_and_what_stands_still_is_left_out() {
+    fn what_moved_is_matched_and_what_is_still_is_left_out() {
         let a = features(&mut proof::Dice(3), 200);
         let mut b = a.clone();
         b.points[100..].iter_mut().for_each(|k| k.x += 40.0);
@@ -192,7 +192,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn what_is_found_near_its_place_in_many_photos_stands_still_though_no_pair_tells() {
+    fn what_is_found_near_its_place_in_many_photos_is_still_though_no_pair_shows_it() {
         let mut dice = proof::Dice(7);
         let first = features(&mut dice, 200);
         // The first half jitters by more than a pair bears, the other half turns.
@@ -209,7 +209,7 @@ pub(crate) mod tests {
             })
             .collect();
         let views: Vec<&Features> = photos.iter().collect();
-        let missed = |stands: &[bool]| stands[..100].iter().filter(|s| !**s).count();
+        let missed = |is_still: &[bool]| is_still[..100].iter().filter(|s| !**s).count();
         assert!(missed(&still(views[0], views[1], 3.0)[0]) > 20);
         let all = standing(&views, 3, 3.0);
         assert!(all.iter().map(|s| missed(s)).sum::<usize>() < 18 * 5);

@@ -1,5 +1,5 @@
-//! Where photos of a turn show what turns: features there determine the cameras, those of a background that
-//! stands still do not.
+//! Where photos of a turn show what turns: features there determine the cameras, those of a still
+//! background do not.
 
 use rayon::prelude::*;
 use shape::{Gray, Image, Photo, PhotoError, Photos, registered};
@@ -17,7 +17,7 @@ const GAP: f64 = 0.15;
 /// Shares of a photo that may change: less is noise, more is a camera that moved.
 const SHARE: std::ops::RangeInclusive<f64> = 0.01..=0.6;
 
-/// What of each photo turns, reduced; `None` where nothing stands still, or nothing turns.
+/// What of each photo turns, reduced; `None` where nothing is still, or nothing turns.
 pub(crate) fn moving(photos: &Photos) -> Result<Option<Vec<Image<bool>>>, PhotoError> {
     let small = |photo: &Photo| {
         let by = (photo.width.max(photo.height) as usize / LONGEST).max(1);
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_camera_that_moves_leaves_nothing_that_stands_still() {
+    fn a_camera_that_moves_leaves_nothing_still() {
         assert_eq!(regions(&turn(false, true)), None);
     }
 }

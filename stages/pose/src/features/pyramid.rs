@@ -180,7 +180,7 @@ mod tests {
 
     /// Sums over all neighbours at once, pixel by pixel.
     #[test]
-    fn a_blur_is_the_weighted_mean_of_what_lies_around() {
+    fn a_blur_is_the_weighted_mean_of_the_neighbourhood() {
         let mut dice = proof::Dice(3);
         let mut image = Gray::filled(37, 23, 0.0);
         image

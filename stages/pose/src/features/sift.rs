@@ -22,7 +22,7 @@ stage::params! {
         #[range(1.5..=100.0)]
         #[source(cited = "Lowe 2004, §4.1")]
         edge: f64 = 10.0,
-        /// Most features a photo: where the room stands still while things turn three quarters of them
+        /// Most features a photo: where the background is still while things turn three quarters of them
         /// there, spread over what is seen; else the strongest.
         #[range(50..=100000)]
         #[source(structural)]

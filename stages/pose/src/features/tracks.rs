@@ -104,13 +104,13 @@ impl Stage for Follow {
         let first = first_lens(&input.photos);
         let known = knows_focal(&input.photos.rig).then_some(&first);
         let of: Vec<&Features> = views.iter().map(|v| v.1).collect();
-        let stands = standing(&of, p.neighbours as usize, p.still_px as f32);
+        let still = standing(&of, p.neighbours as usize, p.still_px as f32);
         ctx.check()?;
         let steps = ctx.steps("pairs", pairs.len());
         let one = |(i, j): &(usize, usize)| -> Result<Common, Stop> {
             let found = matched(
                 [of[*i], of[*j]],
-                [&stands[*i], &stands[*j]],
+                [&still[*i], &still[*j]],
                 p,
                 p.rise as f32 * height,
                 &first,
@@ -197,7 +197,7 @@ fn warnings<'a>(
 /// The matches of a pair.
 fn matched(
     [a, b]: [&Features; 2],
-    stands: [&Vec<bool>; 2],
+    known_still: [&Vec<bool>; 2],
     p: &TracksParams,
     rise: f32,
     first: &Intrinsics,
@@ -205,8 +205,8 @@ fn matched(
 ) -> Common {
     let mut left_out = still(a, b, p.still_px as f32);
     let still = left_out[0].iter().filter(|still| **still).count();
-    for (out, stands) in left_out.iter_mut().zip(stands) {
-        out.iter_mut().zip(stands).for_each(|(o, s)| *o |= s);
+    for (out, known) in left_out.iter_mut().zip(known_still) {
+        out.iter_mut().zip(known).for_each(|(o, s)| *o |= s);
     }
     let mut moving = mutual(a, b, p.ratio, rise, &left_out);
     let both = |(i, j): &(u32, u32)| -> Both {

@@ -13,7 +13,7 @@ pub struct DiskEdge {
     pub radius: f64,
     /// Mean step of brightness across it, 0..=255.
     pub contrast: f64,
-    /// The same over the median of all that was tried: how far it stands out.
+    /// The same over the median of all circles that were tried.
     pub standout: f64,
     /// Whether the step is of one sign nearly all around.
     pub round: bool,
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_on_the_disk_within_its_edge_is_not_the_edge() {
+    fn what_is_on_the_disk_within_its_edge_is_not_the_edge() {
         let (camera, mut gray) = seen(130.0);
         let from = camera.centre();
         for (y, x) in (0..300).flat_map(|y| (0..400).map(move |x| (y, x))) {

@@ -1,4 +1,4 @@
-//! Where a disk's edge is searched: what stands still, at the height of soles and tags, outside of all tags.
+//! Where a disk's edge is searched: what is still, at the height of soles and tags, outside of all tags.
 
 use crate::frame::disk_edge::{DiskEdge, disk_edge};
 use crate::frame::disk_tags::DiskTags;
@@ -11,13 +11,13 @@ use shape::{
 /// What makes a circle the disk's edge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rules {
-    /// How far its step must stand out from that of other circles.
+    /// How many times as large as that of other circles its step must be.
     pub(crate) standout: f64,
     /// A circle may be off the stature by this share.
     pub(crate) contradiction: f64,
 }
 
-/// What stands still, reduced: the plate, or the median of photos laid on each other.
+/// The still background, reduced: the plate, or the median of photos laid on each other.
 ///
 /// Beside it how the first photo maps to it, at full size, and so its camera.
 pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Placed)>, PhotoError> {
@@ -39,9 +39,9 @@ pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Pla
     // Where there is nothing to lay photos on each other by, they stay as they are.
     let (placed, still) = registered(&pictures);
     let first = placed.first().copied().flatten().unwrap_or(Placed::SAME);
-    let as_it_lies = || median(&pictures).map(|still| (still, Placed::SAME));
+    let unmoved = || median(&pictures).map(|still| (still, Placed::SAME));
     let still = still.map(|still| (still, first.enlarged(by as f64)));
-    Ok(still.or_else(as_it_lies))
+    Ok(still.or_else(unmoved))
 }
 
 /// The strongest circle near the disk. A ring of tags may be stronger than the edge: where by the stature the

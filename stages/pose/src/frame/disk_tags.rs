@@ -16,8 +16,8 @@ pub(crate) struct DiskTags {
     pub(crate) edge: [f64; 2],
 }
 
-/// Tags that turn with the cameras and are level, two or more at one height. A tag beside the disk or on a wall stands
-/// still, so its rays do not meet; one that is higher than the feet, as on clothes or a box, does not count.
+/// Tags that turn with the cameras and are level, two or more at one height. A tag beside the disk or on a wall does
+/// not turn, so its rays do not meet; one that is higher than the feet, as on clothes or a box, does not count.
 pub(crate) fn on_disk(
     cameras: &Cameras,
     tags: &Tags,
@@ -63,7 +63,7 @@ mod tests {
     use shape::{PhotoId, Tag};
 
     #[test]
-    fn tags_tell_how_far_they_reach_and_how_high_they_lie_whatever_their_size() {
+    fn tags_give_their_reach_and_their_height_whatever_their_size() {
         let cameras = walk();
         let found = on_disk(&cameras, &seen(&cameras, -31.0, 0.0), None, 2.0).unwrap();
         let corner = libm::hypot(MAT.ring_mm + MAT.tag_mm / 2.0, MAT.tag_mm / 2.0) / MM_PER_UNIT;
@@ -80,7 +80,7 @@ mod tests {
             let corners = corners.map(|c| [c[0] + at[0], c[1] + at[1]]);
             Tag { id, corners }
         };
-        // The same places of all photos: something that stands still, or the background's own patterns.
+        // The same places of all photos: something that does not turn, or the background's own patterns.
         let still = |id: PhotoId| (id, vec![tag(50, [300.0, 1300.0]), tag(51, [800.0, 1250.0])]);
         let alone = Tags {
             views: cameras.views.iter().map(|(id, _)| still(id)).collect(),

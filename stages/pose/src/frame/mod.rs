@@ -1,5 +1,5 @@
 //! The turntable frame: the circle of the cameras, the disk's edge, the subject's stature; and the
-//! stage that gives cameras their millimetres and their ground. `stage` → all others.
+//! stage that gives cameras their millimetres and their ground. `stage` → all the rest.
 
 pub(crate) mod circle;
 pub(crate) mod disk_edge;

@@ -24,7 +24,7 @@ stage::params! {
     pub struct FrameParams {
         /// Whether the edge of a disk is searched: a walk has none.
         disk: bool = true,
-        /// How far the step of brightness at the disk's edge must stand out from that of other
+        /// The step of brightness at the disk's edge must be so many times as large as at other
         /// circles.
         #[range(1.0..=100.0)]
         least_standout: f64 = 4.0,

@@ -18,9 +18,9 @@ pub struct Paper {
 const POINT: f64 = 72.0 / 25.4;
 /// What neighbouring pages print of each other. \[mm\]
 const OVERLAP: f64 = 8.0;
-/// Room below the picture for ruler and words. \[mm\]
+/// Space below the picture for ruler and words. \[mm\]
 const FOOT: f64 = 14.0;
-/// Room between pieces of the rim's strip. \[mm\]
+/// Space between pieces of the rim's strip. \[mm\]
 const GAP: f64 = 6.0;
 
 /// SVG at true scale: one user unit is a millimetre. The rim's pieces are below the mat.

@@ -36,7 +36,7 @@ const MONOMIALS: [[usize; 3]; 20] = [
 /// A cubic in x, y, z.
 type Cubic = [f64; 20];
 
-/// Where each monomial stands, by its exponents.
+/// The column of each monomial, by its exponents.
 fn places() -> [[[usize; 4]; 4]; 4] {
     let mut places = [[[usize::MAX; 4]; 4]; 4];
     for (at, [i, j, k]) in MONOMIALS.into_iter().enumerate() {

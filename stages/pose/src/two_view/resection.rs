@@ -1,4 +1,4 @@
-//! Where a camera stands: against another one (from what both see), and against known points.
+//! A camera's pose: relative to another one (from what both see), and from known points.
 
 use crate::two_view::descent::descend;
 use crate::two_view::epipolar::motion_through;

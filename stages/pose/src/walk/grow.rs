@@ -64,7 +64,7 @@ pub(crate) fn grown<'a>(
         }
     }
     let (_, mut grown) = best?;
-    // What did not fit before may fit when all the rest stand.
+    // What did not fit before may fit when all the rest are placed.
     loop {
         let before = grown.state.model.shots.len();
         grown.grow(usize::MAX);

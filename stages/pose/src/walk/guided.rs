@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn strips_miss_nothing_that_lies_on_a_line() {
+    fn strips_miss_nothing_that_is_on_a_line() {
         let mut dice = proof::Dice(14);
         let points: Vec<Keypoint> = (0..500)
             .map(|_| Keypoint {

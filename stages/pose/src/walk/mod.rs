@@ -1,4 +1,4 @@
-//! Cameras of a walk around a subject that stands still, as all around does: features followed over photos
+//! Cameras of a walk around a subject that is as still as its background: features followed over photos
 //! in any order (`link`, a stage → `pairs` → `nearest`, `guided`; `chains`), then cameras (`walk`, a stage →
 //! `grow` → `begin`, `next` → `register`, `points`, `adjust`; `finish`; `world` → `floor`).
 

@@ -15,7 +15,7 @@ pub(crate) struct Rules {
     pub(crate) ratio: f64,
     /// How far a match may be off its epipolar line. \[px\]
     pub(crate) epipolar_px: f64,
-    /// Features that move less stand still. \[px\]
+    /// Features that move less are still. \[px\]
     pub(crate) still_px: f64,
     /// Fewest matches that hold two photos together.
     pub(crate) least: usize,

@@ -151,7 +151,7 @@ fn lengths_that_contradict_each_other_by_more_than_a_fifth_are_refused_by_name()
 }
 
 #[test]
-fn tags_on_the_ground_of_a_walk_go_before_a_stature_and_say_where_the_ground_is() {
+fn tags_on_the_ground_of_a_walk_go_before_a_stature_and_give_the_ground() {
     let layout = (Some(MAT), None);
     let size = (None, Some(MAT.tag_mm));
     for known in [layout, size] {
@@ -243,7 +243,7 @@ fn where_no_disk_is_given_a_floor_has_none() {
 }
 
 #[test]
-fn a_stature_is_less_sure_where_soles_alone_say_where_the_ground_is() {
+fn a_stature_is_less_sure_where_soles_alone_give_the_ground() {
     let sure = |disk_mm| framed_by(1600.0, 1600.0, None, disk_mm).unwrap();
     let (by_soles, by_disk) = (sure(None), sure(Some(900.0)));
     let sigma = |cameras: &Cameras| cameras.scale_sigma.unwrap();

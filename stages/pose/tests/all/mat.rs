@@ -82,7 +82,7 @@ fn tags_are_found_where_they_were_printed() {
 }
 
 #[test]
-fn the_mats_of_usual_disks_fit_and_impossible_ones_say_so() {
+fn the_mats_of_usual_disks_fit_and_impossible_ones_are_refused() {
     for disk in [300.0, 450.0, 700.0, 1000.0] {
         let mat = mat_for(disk, 0.0, 0, 0).unwrap();
         assert!(mat.count >= 12, "{disk}: {mat:?}");

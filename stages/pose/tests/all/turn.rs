@@ -185,7 +185,7 @@ fn features_of_nothing_in_common_are_refused() {
 }
 
 #[test]
-fn features_that_lie_where_they_should_not_are_refused() {
+fn features_too_far_from_where_they_should_be_are_refused() {
     let truth = truth(1.0);
     let film = 2670.0 / 2400.0 * 36.0 / 1.004;
     // 0.8 px a coordinate are 1.1 px together; 2.2 px are 3.1, and 2 are borne.

@@ -65,7 +65,7 @@ pub(crate) fn photo(name: &str, gray: &shape::Image<u8>) -> Photo {
     }
 }
 
-/// Cameras of the turn in millimetres by what is known and what stands still.
+/// Cameras of the turn in millimetres by what is known and what is still.
 pub(crate) fn framed_with(
     rig: Rig,
     tags: Option<Tags>,
