@@ -51,7 +51,7 @@ impl Stage for FindPeople {
             }
         }
         let all = followed(views.into_iter().collect());
-        // Of things nothing is said: most captures of them are meant.
+        // Things are not reported: most captures of them are meant.
         if all.person {
             let reported = odd(&all, &input.photos);
             reported.into_iter().for_each(|w| ctx.warn(w));

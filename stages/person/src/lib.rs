@@ -4,7 +4,7 @@
 //! `masks`, `people`, `photos` → [`Alarm`] → `lost_parts`
 //!
 //! `net/` runs a network of `models/person/`; `body/` finds people on a photo with two of them, and
-//! `turn.rs` says what all photos say together (`same.rs`: whether two finds are one person), `odd.rs` what is odd about it.
+//! `turn.rs` combines the finds of all photos (`same.rs`: whether two are one person); `odd.rs` has what is odd about it.
 
 mod alarm;
 mod body;

@@ -2,7 +2,7 @@
 
 use shape::{Crop, Found};
 
-/// The network says that its square shows a person.
+/// From here on the network finds a person in its square.
 const PRESENT: f32 = 0.5;
 /// Squares of one person share at least so much of their union: one may be a third of its side beside the other.
 const ONE_PERSON: f32 = 0.5;
@@ -12,7 +12,7 @@ pub(crate) fn alike(a: &Crop, b: &Crop) -> bool {
     overlap(a, b) >= ONE_PERSON
 }
 
-/// Whether the network that looked from near says that it is a person.
+/// Whether the network that looked from near finds a person.
 pub(crate) fn present(found: &Found) -> bool {
     found.presence >= PRESENT
 }

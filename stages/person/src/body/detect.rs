@@ -124,7 +124,7 @@ fn one_each(mut open: Vec<Guess>) -> Vec<Guess> {
     open.sort_by(|a, b| b.score.total_cmp(&a.score));
     let mut people = Vec::new();
     while let Some(best) = open.first().cloned() {
-        let (same, others): (Vec<Guess>, Vec<Guess>) = open
+        let (same, different): (Vec<Guess>, Vec<Guess>) = open
             .into_iter()
             .partition(|g| *g == best || overlap(&g.numbers, &best.numbers) >= ONE_PERSON);
         let weight: f32 = same.iter().map(|g| g.score).sum();
@@ -133,7 +133,7 @@ fn one_each(mut open: Vec<Guess>) -> Vec<Guess> {
             score: best.score,
             numbers: std::array::from_fn(mean),
         });
-        open = others;
+        open = different;
     }
     people
 }

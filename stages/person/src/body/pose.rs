@@ -48,7 +48,7 @@ pub(super) fn around_face(joints: &[Joint]) -> [f32; 4] {
     })
 }
 
-/// What the network said of a square.
+/// The network's output for a square.
 struct Look {
     crop: Crop,
     side: usize,

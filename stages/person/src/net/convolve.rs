@@ -44,7 +44,7 @@ pub(super) struct Convolution {
     /// By block of `LANES` output channels, by place in the window and input channel.
     weights: Vec<[f32; LANES]>,
     bias: Vec<[f32; LANES]>,
-    /// Whether what comes out is held within 0 to 6.
+    /// Whether the output is clamped to 0 to 6.
     relu6: bool,
 }
 
@@ -207,9 +207,10 @@ mod tests {
             let window = Window { size, stride, pads };
             let got = Convolution::new(window, &weights, &bias, false).of(&image);
             assert_eq!(got, plain(&window, &image, &weights, &bias));
-            let held = Convolution::new(window, &weights, &bias, true).of(&image);
+            let clamped = Convolution::new(window, &weights, &bias, true).of(&image);
             assert!(
-                held.data
+                clamped
+                    .data
                     .iter()
                     .zip(&got.data)
                     .all(|(h, g)| *h == g.clamp(0.0, 6.0))

@@ -10,7 +10,7 @@ pub(super) struct Depthwise {
     pub(super) weights: Vec<f32>,
     /// One a channel; a multiple of `LANES` channels.
     pub(super) bias: Vec<f32>,
-    /// Whether what comes out is held within 0 to 6.
+    /// Whether the output is clamped to 0 to 6.
     pub(super) relu6: bool,
 }
 

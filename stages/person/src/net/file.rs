@@ -93,7 +93,7 @@ fn read(file: &[u8]) -> Result<Network, Unreadable> {
     Ok(Network::new(input, steps, ends))
 }
 
-/// The weights; where zeros are left out, a bit each says which are there.
+/// The weights; where zeros are left out, a bit each marks which are there.
 fn values(words: &mut Words<'_>, count: usize, sparse: bool) -> Result<Vec<f32>, Unreadable> {
     let half = |pair: &[u8]| single(u16::from_le_bytes([pair[0], pair[1]]));
     if !sparse {
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_is_a_network_or_says_what_is_wrong() {
+    fn a_file_is_a_network_or_its_fault_is_named() {
         let network = read(&tiny()).unwrap();
         assert_eq!(network.run(&[3.0])[0].data, [7.0]);
         for end in 0..tiny().len() {

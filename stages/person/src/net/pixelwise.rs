@@ -2,7 +2,7 @@
 
 use super::tensor::Tensor;
 
-/// Two images added, held within 0 to 6 where `relu6`.
+/// Two images added, clamped to 0 to 6 where `relu6`.
 pub(super) fn add(a: &Tensor, b: &Tensor, relu6: bool) -> Tensor {
     let sum = |(a, b): (&f32, &f32)| match relu6 {
         true => (a + b).clamp(0.0, 6.0),

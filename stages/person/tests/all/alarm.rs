@@ -94,11 +94,17 @@ fn masks_without_legs_or_head_are_named_by_photo() {
     let (parts, reported) = reported(&broken);
     assert_eq!(parts.of(BodyPart::Legs), [PhotoId(1)]);
     assert_eq!(parts.of(BodyPart::Head), [PhotoId(3)]);
-    let says = |what: &str| reported.iter().any(|t| t.contains(what));
-    assert!(says("a leg or a part of it on 0004.jpg,"), "{reported:?}");
+    let is_reported = |what: &str| reported.iter().any(|t| t.contains(what));
     assert!(
-        says("the head or a part of it on 0013.jpg,"),
+        is_reported("a leg or a part of it on 0004.jpg,"),
         "{reported:?}"
     );
-    assert!(!says("0000.jpg") && !says("0009.jpg"), "{reported:?}");
+    assert!(
+        is_reported("the head or a part of it on 0013.jpg,"),
+        "{reported:?}"
+    );
+    assert!(
+        !is_reported("0000.jpg") && !is_reported("0009.jpg"),
+        "{reported:?}"
+    );
 }

@@ -95,25 +95,25 @@ fn photos_without_with_two_cut_off_and_turned_people_are_named() {
     photos.extend(odd.map(|(name, pixels)| photo(name, pixels)));
     let (people, reported) = found(photos);
     assert!(people.person);
-    let says = |what: &str| {
+    let warning = |what: &str| {
         reported
             .iter()
             .find(|t| t.contains(what))
             .map(String::as_str)
     };
-    let nobody = says("nobody is seen").unwrap_or_default();
+    let nobody = warning("nobody is seen").unwrap_or_default();
     assert!(nobody.contains("on empty,"), "{reported:?}");
-    let two = says("more than one person").unwrap_or_default();
+    let two = warning("more than one person").unwrap_or_default();
     assert!(two.contains("on two:"), "{reported:?}");
     assert!(
-        says("at the upper edge of upper:").is_some(),
+        warning("at the upper edge of upper:").is_some(),
         "{reported:?}"
     );
     assert!(
-        says("at the lower edge of lower:").is_some(),
+        warning("at the lower edge of lower:").is_some(),
         "{reported:?}"
     );
-    assert!(says("upside down on over:").is_some(), "{reported:?}");
+    assert!(warning("upside down on over:").is_some(), "{reported:?}");
     assert_eq!(reported.len(), 5, "{reported:?}");
 }
 
@@ -177,7 +177,7 @@ fn somebody_whose_head_does_not_show_on_one_photo_is_seen_where_the_rest_show_th
 }
 
 #[test]
-fn a_thing_is_no_person_and_nothing_is_said() {
+fn a_thing_is_no_person_and_nothing_is_reported() {
     let mut thing = Rgb::filled(800, 1200, [120, 130, 140]);
     for y in 500..900 {
         for x in 300..520 {
