@@ -111,7 +111,7 @@ impl Articulated {
 
     /// How far a joint is from where it was seen, on the plane z = 1.
     fn miss(&self, joint: usize, step: &Step, sight: &Vector2<f64>) -> Option<Vector2<f64>> {
-        let x = step.to_room(&self.places[joint]);
+        let x = step.to_fixed(&self.places[joint]);
         Some(seen(self.motion.pitch, &x)?.0 - sight)
     }
 
@@ -138,7 +138,7 @@ impl Articulated {
             let first = PER_STEP * photos + 1 + 3 * j;
             for (i, (step, sight)) in self.motion.steps.iter().zip(of).enumerate() {
                 let Some(sight) = sight else { continue };
-                let x = step.to_room(&self.places[j]);
+                let x = step.to_fixed(&self.places[j]);
                 let Some((at, by_point, by_pitch)) = seen(self.motion.pitch, &x) else {
                     continue;
                 };

@@ -33,9 +33,9 @@ fn turned(photos: usize, ways: impl Fn(f64) -> f64) -> (Sights, Vec<f64>) {
         };
         truth.push(step.azimuth);
         for (j, at) in places {
-            let room = step.to_room(&Vector3::from(at));
+            let there = step.to_fixed(&Vector3::from(at));
             let noise = |k: f64| 0.002 * libm::sin(k * (i * 33 + j) as f64);
-            let sight = seen(0.08, &room).unwrap().0;
+            let sight = seen(0.08, &there).unwrap().0;
             sights[j][i] = Some(sight + Vector2::new(noise(12.9), noise(78.2)));
         }
         // A back that the network took for a front.

@@ -2,8 +2,8 @@
 //! touches that ray (silhouette coherence: Hernández, Schmitt and Cipolla 2007).
 //!
 //! The depth of a ray is the greatest, along it, of the least depth in all other photos' silhouettes. Where all agree it is
-//! what the hull of the others overshoots between views, a few millimetres, and more where steps are wider; a step or turn
-//! that is wrong makes it deeper on one side of the body and shallower on the other. So depths are drawn to those of a body
+//! what the hull of the rest overshoots between views, a few millimetres, and more where steps are wider; a step or
+//! turn that is wrong makes it deeper on one side of the body and shallower on the other. So depths are drawn to those of a body
 //! as round as the middle one.
 
 use crate::joints::{Equations, median};

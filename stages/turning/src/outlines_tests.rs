@@ -46,11 +46,11 @@ fn mask(step: &Step) -> Mask {
     for ([x, y], [a, b], [low, high]) in POSTS {
         let around = (0..720).map(|k| {
             let (s, c) = libm::sincos(f64::from(k) / 720.0 * TAU);
-            let room = step.to_room(&Vector3::new(x + a * c, y + b * s, 0.0));
-            lens.distort(Vector2::new(room.x / room.y, 0.0)).x
+            let there = step.to_fixed(&Vector3::new(x + a * c, y + b * s, 0.0));
+            lens.distort(Vector2::new(there.x / there.y, 0.0)).x
         });
         let sides = around.fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
-        let away = step.to_room(&Vector3::new(x, y, 0.0)).y;
+        let away = step.to_fixed(&Vector3::new(x, y, 0.0)).y;
         let row = |z: f64| lens.distort(Vector2::new(0.0, -z / away)).y;
         let ends = (row(high), row(low));
         let covered = |i: usize, (lo, hi): (f64, f64)| {

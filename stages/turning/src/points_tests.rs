@@ -32,7 +32,7 @@ fn points(motion: &Motion) -> Vec<Point> {
         let at = Vector3::new(0.07 * c, 0.045 * s, -0.12 + 0.0012 * k as f64);
         let sight = |i: usize| {
             let step = &motion.steps[i];
-            let there = step.to_room(&at);
+            let there = step.to_fixed(&at);
             let facing = step.pose().rotation * Vector3::new(c, s, 0.0);
             let noise = |by: f64| 3e-4 * libm::sin(by * (i * 977 + k) as f64);
             let sight = seen(motion.pitch, &there)?.0 + Vector2::new(noise(12.9), noise(78.2));

@@ -42,9 +42,9 @@ fn reach(outlines: &[Outline]) -> f64 {
 
 /// What all rays of one motion share: how what a photo shows is seen by another photo's camera.
 struct Between {
-    /// camera_from_room of the standing camera.
+    /// camera_from_fixed of the fixed camera.
     turn: Matrix3<f64>,
-    /// room_from_body, by photo.
+    /// fixed_from_body, by photo.
     poses: Vec<Pose>,
 }
 

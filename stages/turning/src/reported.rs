@@ -49,7 +49,7 @@ const MOST_LOOSE: f64 = 0.005;
 /// Turned back by more is reported. \[rad\]
 const LEAST_TURN_BACK: f64 = TAU / 12.0;
 
-/// What is told of a motion.
+/// What is reported of a motion.
 pub(crate) struct Verdict {
     /// All the way round, either way. \[rad\]
     pub(crate) turned: f64,

@@ -30,7 +30,7 @@ pub struct Motion {
 }
 
 impl Step {
-    /// room_from_body.
+    /// fixed_from_body.
     pub fn pose(&self) -> Pose {
         let lean = Rotation3::new(Vector3::new(self.lean[0], self.lean[1], 0.0));
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), self.azimuth);
@@ -40,12 +40,12 @@ impl Step {
         }
     }
 
-    /// From the body to the room.
-    pub fn to_room(&self, x: &Vector3<f64>) -> Vector3<f64> {
+    /// From the body's frame to that in which the camera is fixed.
+    pub fn to_fixed(&self, x: &Vector3<f64>) -> Vector3<f64> {
         self.pose().apply(&Point3::from(*x))
     }
 
-    /// How a point of the body moves in the room by azimuth, by each of the offsets, and by each lean.
+    /// How a point of the body moves in the fixed frame by azimuth, by each of the offsets, and by each lean.
     pub fn slopes(&self, x: &Vector3<f64>) -> [Vector3<f64>; PER_STEP] {
         let at = self.pose().rotation * x;
         [
@@ -65,13 +65,13 @@ impl Step {
     }
 }
 
-/// camera_from_room of a camera so pitched.
+/// camera_from_fixed of a camera so pitched.
 pub fn looking(pitch: f64) -> Matrix3<f64> {
     let (s, c) = libm::sincos(pitch);
     Matrix3::new(1.0, 0.0, 0.0, 0.0, -s, -c, 0.0, c, -s)
 }
 
-/// What is seen of a point of the room on the plane z = 1, how that moves with the point, and with the pitch.
+/// What is seen of a point of the fixed frame on the plane z = 1, how that moves with the point, and with the pitch.
 /// [`None`] behind the camera.
 pub fn seen(pitch: f64, x: &Vector3<f64>) -> Option<(Vector2<f64>, Matrix2x3<f64>, Vector2<f64>)> {
     let turn = looking(pitch);

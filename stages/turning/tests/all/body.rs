@@ -107,11 +107,11 @@ impl Turn {
         for ([x, y], [a, b], [low, high]) in POSTS {
             let around = (0..360).map(|k| {
                 let (s, c) = libm::sincos(f64::from(k) / 360.0 * TAU);
-                let there = step.to_room(&Vector3::new(x + stout * a * c, y + stout * b * s, 0.0));
+                let there = step.to_fixed(&Vector3::new(x + stout * a * c, y + stout * b * s, 0.0));
                 FOCAL * there.x / there.y
             });
             let (left, right) = around.fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
-            let away = step.to_room(&Vector3::new(x, y, 0.0)).y;
+            let away = step.to_fixed(&Vector3::new(x, y, 0.0)).y;
             let (top, bottom) = (-FOCAL * high / away, -FOCAL * low / away);
             let covered =
                 |at: f64, lo: f64, hi: f64| (hi.min(at + 0.5) - lo.max(at - 0.5)).clamp(0.0, 1.0);
@@ -144,7 +144,7 @@ impl Turn {
             step.azimuth += TAU / 4.0;
         }
         for (joint, at) in JOINTS {
-            let at = seen(0.0, &step.to_room(&Vector3::from(at))).unwrap().0 * FOCAL;
+            let at = seen(0.0, &step.to_fixed(&Vector3::from(at))).unwrap().0 * FOCAL;
             let phase = (1.0 + joint as f64) * (1.0 + 977.0 * step.azimuth);
             let noise = |k: f64| self.noise_px * SQRT_2 * libm::sin(k * phase);
             let [x, y] = (self.change)([at.x + noise(12.9), at.y + noise(78.2)]);
