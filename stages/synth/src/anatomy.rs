@@ -21,7 +21,7 @@ pub struct Build {
 /// The stature for which the numbers below are written. \[mm\]
 const STATURE: f64 = 1750.0;
 
-/// A body that stands on z = 0, faces -y and has its left at +x. Its planes: WC, HC, CC and NC,
+/// A body with its soles on z = 0, which faces -y and has its left at +x. Its planes: WC, HC, CC and NC,
 /// upper arms AC, thighs TC and calves CFC with `_L` and `_R`.
 pub fn body(build: &Build) -> Solid {
     let s = build.stature / STATURE;

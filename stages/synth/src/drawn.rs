@@ -1,4 +1,4 @@
-//! Rooms, clothes, skin, light and disks drawn by a seed: captures that nobody chose.
+//! Backgrounds, clothes, skin, light and disks drawn by a seed: captures that nobody chose.
 
 use crate::dice::Dice;
 use crate::noise::octaves;
@@ -34,7 +34,7 @@ pub(crate) struct Palette {
     pub(crate) skin: Color,
     /// What is worn.
     pub(crate) clothes: [Option<Garment>; 2],
-    /// The share of light that comes from all sides; `None`: as the params say.
+    /// The share of light that comes from all sides; `None`: the param's.
     pub(crate) ambient: Option<f64>,
 }
 
@@ -61,7 +61,7 @@ pub(crate) struct Placed {
 }
 
 impl Palette {
-    /// The furnished room, skin all over, a disk of wood.
+    /// The default background, skin all over, a disk of wood.
     pub(crate) const STANDARD: Palette = Palette {
         wall: [0.42, 0.42, 0.42 * 0.92],
         pictures: 0.75,

@@ -41,7 +41,7 @@ pub(crate) fn camera_errors(found: &Cameras, truth: &Cameras) -> CameraErrors {
     }
 }
 
-/// Intersection over union of two silhouettes of one size; 0 for others.
+/// Intersection over union of two silhouettes of one size; 0 of two sizes.
 pub(crate) fn overlap(a: &Mask, b: &Mask) -> f64 {
     if (a.width, a.height) != (b.width, b.height) {
         return 0.0;

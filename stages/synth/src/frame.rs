@@ -3,7 +3,7 @@
 use nalgebra::{Rotation3, Vector3};
 use shape::Cameras;
 
-/// The turn about z from the frame of some cameras to that of others, by their centres.
+/// The turn about z from one turntable frame to another, by the centres of cameras that are in both.
 pub fn turn_between(from: &Cameras, to: &Cameras) -> Rotation3<f64> {
     let (mut sin, mut cos) = (0.0, 0.0);
     for (_, a, b) in from.views.join(&to.views) {

@@ -9,6 +9,7 @@
 //! ```
 
 mod anatomy;
+mod background;
 mod body;
 mod bounds;
 mod contour;
@@ -29,7 +30,6 @@ mod photograph;
 mod raster;
 mod restless;
 mod ring;
-mod room;
 mod score;
 mod skin;
 mod solid;
@@ -58,7 +58,7 @@ pub use surface::surface;
 pub use sway::{MakeSway, SwayInput, SwayParams};
 pub use turn::{TakePhotos, TurnInput, TurnParams};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<MakeSolid>(),
     &stage::erase::<MakeBody>(),

@@ -1,4 +1,4 @@
-//! Light that a level of an sRGB file stands for.
+//! Linear light of the levels of an sRGB file.
 
 /// In proportion to light, 0 to 1, of a level of 0..=255 (IEC 61966-2-1).
 pub(crate) fn light_of(level: u8) -> f32 {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 stage::inputs! {
     /// Cameras, and how a body moved before them.
     pub struct MovedInput {
-        /// The cameras as the room has them.
+        /// The cameras around a body that does not move.
         cameras: Arc<Cameras>,
         /// How the body moved between photos.
         sway: Arc<Sway>,

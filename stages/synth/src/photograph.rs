@@ -1,25 +1,25 @@
-//! One photo of a body on a disk in a room: all that a fixed camera sees.
+//! One photo of a body on a disk before a background: all that a fixed camera sees.
 
+use crate::background::Background;
 use crate::disk::Disk;
 use crate::drawn::{Palette, Placed};
 use crate::noise::chance;
 use crate::raster::cast;
-use crate::room::Room;
 use crate::skin::{Look, albedo};
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Image, Mesh, Pose, Rgb};
 
-/// What stands before the camera, and its light.
+/// What is before the camera, and its light.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scene {
     /// How the body looks.
     pub(crate) look: Look,
-    /// Colours of skin, clothes, room and disk.
+    /// Colours of skin, clothes, background and disk.
     pub(crate) palette: Palette,
     /// Where the body is.
     pub(crate) body: Placed,
-    /// The room.
-    pub(crate) room: Room,
+    /// Walls and floor.
+    pub(crate) background: Background,
     /// The disk.
     pub(crate) disk: Option<Disk>,
     /// The share of light that comes from all sides.
@@ -38,25 +38,32 @@ fn light() -> Vector3<f64> {
     Vector3::new(-0.55, -0.6, -0.6).normalize()
 }
 
-/// What a camera sees of the room alone. `fixed` is its pose in the room.
-pub(crate) fn empty_room(scene: &Scene, camera: &Camera, fixed: &Pose) -> Linear {
+/// What a camera sees of the background alone. `fixed` is its pose in that frame.
+pub(crate) fn empty_scene(scene: &Scene, camera: &Camera, fixed: &Pose) -> Linear {
     let centre = fixed.centre();
     let back = fixed.rotation.inverse();
-    let color = |ray: &Vector3<f64>| scene.room.color(&centre, &(back * ray), spread(camera));
+    let color = |ray: &Vector3<f64>| {
+        let along = back * ray;
+        scene.background.color(&centre, &along, spread(camera))
+    };
     filled(scene, camera, |_, _| true, color)
 }
 
-/// The room with the disk before it, as it stands in the world of `camera`.
-pub(crate) fn with_disk(scene: &Scene, room: &Linear, camera: &Camera, fixed: &Pose) -> Linear {
+/// The background with the disk before it, as it is in the world of `camera`.
+pub(crate) fn with_disk(scene: &Scene, behind: &Linear, camera: &Camera, fixed: &Pose) -> Linear {
     let Some(disk) = &scene.disk else {
-        return room.clone();
+        return behind.clone();
     };
-    let (centre, stands) = (camera.centre(), fixed.centre());
-    let (to_world, to_room) = (camera.pose.rotation.inverse(), fixed.rotation.inverse());
+    let (centre, fixed_centre) = (camera.centre(), fixed.centre());
+    let (to_world, to_fixed) = (camera.pose.rotation.inverse(), fixed.rotation.inverse());
     let angle = spread(camera);
     let on_disk = |ray: &Vector3<f64>| disk.color(&centre, &(to_world * ray), angle);
     let color = |ray: &Vector3<f64>| {
-        on_disk(ray).unwrap_or_else(|| scene.room.color(&stands, &(to_room * ray), angle))
+        on_disk(ray).unwrap_or_else(|| {
+            scene
+                .background
+                .color(&fixed_centre, &(to_fixed * ray), angle)
+        })
     };
     // Only pixels near the disk need another look.
     let ray = |x: f64, y: f64| {
@@ -77,7 +84,7 @@ pub(crate) fn with_disk(scene: &Scene, room: &Linear, camera: &Camera, fixed: &P
             .any(|(dx, dy)| on_disk(&ray(x + dx, y + dy)).is_some())
     };
     let seen = filled(scene, camera, near, color);
-    let mut all = room.clone();
+    let mut all = behind.clone();
     for (to, from) in all.data.iter_mut().zip(seen.data) {
         if from[0] >= 0.0 {
             *to = from;
@@ -225,8 +232,8 @@ fn filled(
     image
 }
 
-/// Where a fixed camera stands in the room, for the first photo's camera: the world at that moment,
-/// turned about z so that the camera is at -y. A room is built around it.
+/// The pose of a fixed camera, for the first photo's camera: the world at that moment, turned about z
+/// so that the camera is at -y. The background is built around it.
 pub(crate) fn fixed_pose(first: &Pose) -> Pose {
     let centre: Point3<f64> = first.centre();
     let angle = libm::atan2(centre.y, centre.x) + std::f64::consts::FRAC_PI_2;

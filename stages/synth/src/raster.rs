@@ -20,7 +20,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// One more ray, which meets a face at such weights of its corners; `light` is what levels stand for.
+    /// One more ray, which meets a face at such weights of its corners; `light` is that of each level.
     fn add(
         &mut self,
         mesh: &Mesh,

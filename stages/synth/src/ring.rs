@@ -6,7 +6,7 @@ use shape::{Camera, Cameras, Intrinsics, PhotoId, Pose, Scale, View, film_to_px}
 use stage::{Ctx, Stage, Stop};
 
 stage::params! {
-    /// Where the camera stands, what it is like, and how the disk turns.
+    /// The camera's place and lens, and how the disk turns.
     pub struct RingParams {
         /// How many photos of one turn.
         #[range(1..=720)]
@@ -102,7 +102,7 @@ impl Stage for MakeRing {
             let even = f64::from(i) / f64::from(p.views) * std::f64::consts::TAU;
             let jitter = if i == 0 { 0.0 } else { dice.normal() };
             let angle = sign * even + jitter * p.jitter_deg.to_radians();
-            // What stands on the disk turns with it: x_in_room = turn * x_in_world.
+            // What is on the disk turns with it: x_fixed = turn * x_world.
             let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
             let pose = Pose {
                 rotation: fixed.rotation * turn,

@@ -1,4 +1,4 @@
-//! The stage that makes a subject sway about its ankles, and stand elsewhere in each photo.
+//! The stage that makes a subject sway about its ankles, and step elsewhere for each photo.
 
 use crate::dice::Dice;
 use nalgebra::{Rotation3, Vector3};
@@ -21,7 +21,7 @@ stage::params! {
         #[range(0.0..=1000.0)]
         #[source(structural)]
         ankle_mm: f64 = 60.0,
-        /// Standard deviation of where the feet stand, along each side of the floor, as of somebody who turns by small
+        /// Standard deviation of where the feet are, along each side of the floor, as of somebody who turns by small
         /// steps: 0 on a disk.
         #[range(0.0..=200.0)]
         #[source(structural)]
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn feet_stand_elsewhere_only_where_that_is_asked_for() {
+    fn feet_are_elsewhere_only_where_that_is_asked_for() {
         let still = SwayParams::default();
         let soles = Vector3::new(0.0, 0.0, still.ankle_mm);
         let rest = moved(&still);

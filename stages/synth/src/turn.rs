@@ -1,12 +1,12 @@
 //! The stage that takes the photos of a turn.
 
+use crate::background::Background;
 use crate::disk::{Disk, mat_for, rim_for};
 use crate::drawn::{Palette, Placed};
 use crate::photograph::{
-    Scene, developed, empty_room, fixed_pose, with_body, with_disk, with_reflection,
+    Scene, developed, empty_scene, fixed_pose, with_body, with_disk, with_reflection,
 };
 use crate::restless::Live;
-use crate::room::Room;
 use crate::skin::Look;
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -19,7 +19,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 stage::params! {
-    /// How body, disk, room and photos look, and what the user knows.
+    /// How body, disk, background and photos look, and what the user knows.
     pub struct TurnParams {
         /// Contrast of the body's texture: 0 none, 0.05 skin, 1 a printed dress.
         #[range(0.0..=1.0)]
@@ -61,7 +61,7 @@ stage::params! {
         #[range(-0.2..=0.2)]
         #[source(structural)]
         exif_error: f64 = 0.004,
-        /// Which room, clothes, skin, light and disk, drawn by this number; 0: a furnished room, skin all over, a disk of wood.
+        /// Background, clothes, skin, light and disk are drawn by this number; 0: the default, skin all over, a disk of wood.
         /// A surface with colours of its own wears these.
         #[range(0..=1000000)]
         #[source(structural)]
@@ -128,7 +128,7 @@ impl Stage for TakePhotos {
         let rim = cameras.disk_radius_mm.zip(mat).filter(|_| p.rim);
         let rim = rim.map(|(radius, mat)| rim_for(radius, &mat));
         let scene = scene(p, cameras, &first, mesh, mat, rim);
-        let room = empty_room(&scene, &first, &fixed);
+        let behind = empty_scene(&scene, &first, &fixed);
         let normals = mesh.normals();
         let live = Live {
             hands_mm: p.restless_mm,
@@ -141,8 +141,8 @@ impl Stage for TakePhotos {
         let take = |(id, view): &(PhotoId, shape::View)| -> Result<Photo, Stop> {
             let camera = &view.camera;
             let same = camera.lens == first.lens;
-            let own = (!same).then(|| empty_room(&scene, camera, &fixed));
-            let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&room), camera, &fixed);
+            let own = (!same).then(|| empty_scene(&scene, camera, &fixed));
+            let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&behind), camera, &fixed);
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
             with_reflection(&scene, &mut seen, mesh, camera, motion);
             if live.rests() {
@@ -163,7 +163,7 @@ impl Stage for TakePhotos {
         let photos = cameras.views.as_slice().par_iter().map(take);
         let photos: Vec<Photo> = photos.collect::<Result<_, _>>()?;
         let plate = p.plate.then(|| {
-            let empty = with_disk(&scene, &room, &first, &fixed);
+            let empty = with_disk(&scene, &behind, &first, &fixed);
             let rgb = developed(&empty, scene.noise, p.linear, p.seed.wrapping_mul(1009) + 1);
             photo(p, "plate.jpg", &rgb, &first)
         });
@@ -193,7 +193,7 @@ fn scene(
     let nowhere = (Point3::origin(), Point3::origin());
     let ends = mesh.bounds().unwrap_or(nowhere);
     let middle = nalgebra::center(&ends.0, &ends.1);
-    // Without a disk the body stands on the floor.
+    // Without a disk the body is on the floor.
     let thick = 0.25 * cameras.disk_radius_mm.unwrap_or(0.0);
     let disk = |radius: f64| Disk {
         radius,
@@ -210,7 +210,7 @@ fn scene(
             coarsest: p.coarsest_mm.max(p.finest_mm) as f32,
             seed: p.seed,
         },
-        room: Room::around(&fixed_pose(&first.pose).centre(), thick, p.seed, palette),
+        background: Background::around(&fixed_pose(&first.pose).centre(), thick, p.seed, palette),
         disk: cameras.disk_radius_mm.map(disk),
         palette,
         body: Placed {

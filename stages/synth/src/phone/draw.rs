@@ -4,7 +4,7 @@ use crate::dice::Dice;
 use crate::phone::params::PhoneParams;
 use std::f64::consts::TAU;
 
-/// The faults of one photo that others do not share.
+/// The faults that differ from photo to photo.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fault {
     /// Light of each channel against the photo as it came.

@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shift_is_as_large_as_it_is_said_to_be() {
+    fn a_shift_is_as_large_as_given() {
         let moved = resampled(&ball([40.0, 30.0], 3.0), [0.6, -0.3], 0.0);
         for c in 0..3 {
             let (at, _) = moments(&moved, c);
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn red_lies_outside_of_green_and_blue_inside() {
+    fn red_is_outside_of_green_and_blue_inside() {
         // 30 of 50 pixels from the middle to the corner.
         let moved = resampled(&ball([64.0, 48.0], 3.0), [0.0; 2], 0.5);
         let away = |c: usize| {
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn light_is_what_levels_stand_for() {
+    fn light_is_that_of_srgb_levels() {
         let photo = Rgb {
             width: 3,
             height: 1,

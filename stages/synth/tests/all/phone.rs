@@ -1,4 +1,4 @@
-//! The faults of a made phone are as large as they are said to be, and each is by itself.
+//! The faults of a made phone are as large as given, and each is by itself.
 
 use shape::{Photo, Photos, Rgb, rgb_to_png};
 use stage::{Ctx, Params, Stage, Value};

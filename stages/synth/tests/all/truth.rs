@@ -1,4 +1,4 @@
-//! What the room calls true is true: surfaces, silhouettes, bytes.
+//! What the crate calls true is true: surfaces, silhouettes, bytes.
 
 use nalgebra::{Point2, Point3, Vector3};
 use shape::{Camera, Cameras, Mesh, PhotoId, Solid};
@@ -10,7 +10,7 @@ use synth::{
     RingInput, SolidInput, SwayInput, TakePhotos, TrueMasks, TurnInput,
 };
 
-/// Params with some values said.
+/// Params with some values given.
 fn stated<P: Params>(values: &[(&str, Value)]) -> P {
     let map: BTreeMap<_, _> = values
         .iter()
@@ -48,7 +48,7 @@ fn ring(views: i64, k1: f64) -> Cameras {
 }
 
 #[test]
-fn every_figure_is_closed_smooth_and_where_its_formula_says() {
+fn every_figure_is_closed_smooth_and_where_its_formula_has_it() {
     for figure in ["body", "cylinder", "ellipsoid", "torus"] {
         let solid = solid(&[("figure", text(figure))]);
         let mesh = mesh(&solid, 11.0);
@@ -57,7 +57,7 @@ fn every_figure_is_closed_smooth_and_where_its_formula_says() {
         let field = Field::new(&solid);
         let far = (0..mesh.positions.len() as u32).map(|v| field.value(&mesh.point(v)).abs());
         let far = far.fold(0.0, f64::max);
-        assert!(far < 1e-2, "{figure}: a vertex lies {far} mm off");
+        assert!(far < 1e-2, "{figure}: a vertex is {far} mm off");
     }
 }
 
@@ -104,7 +104,7 @@ fn volumes_are_those_of_the_formulas() {
     proof::near(mesh(&torus, 3.0).volume() / want, 1.0, 2e-3);
 }
 
-/// Whether a ray meets an ellipsoid that stands on the ground, by the quadratic equation.
+/// Whether a ray meets an ellipsoid on the ground, by the quadratic equation.
 fn meets(camera: &Camera, at_px: Point2<f64>, half: [f64; 3]) -> bool {
     let shrink = |v: Vector3<f64>| Vector3::new(v.x / half[0], v.y / half[1], v.z / half[2]);
     let from = shrink(camera.centre() - Point3::new(0.0, 0.0, half[2]));
@@ -158,7 +158,7 @@ fn silhouettes_are_those_of_the_projected_solid() {
 }
 
 #[test]
-fn a_subject_sways_about_its_ankles_and_never_farther_than_said() {
+fn a_subject_sways_about_its_ankles_and_never_farther_than_given() {
     let cameras = Arc::new(ring(18, 0.0));
     let breast = Point3::new(0.0, 0.0, 1280.0);
     for seed in 0..20 {
@@ -199,7 +199,7 @@ fn photos_are_the_same_bytes_with_any_number_of_threads() {
 }
 
 #[test]
-fn photos_show_the_body_where_the_masks_say_and_the_room_elsewhere() {
+fn photos_show_the_body_within_the_masks_and_the_background_elsewhere() {
     let values = [
         ("figure", text("torus")),
         ("wide_mm", Value::Float(70.0)),

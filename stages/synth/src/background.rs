@@ -1,32 +1,32 @@
-//! A furnished room: walls with pictures and a boarded floor, as a formula of the place.
+//! The background: walls with pictures and a boarded floor, as a formula of the place.
 
 use crate::drawn::Palette;
 use crate::noise::{chance, octaves, three};
 use nalgebra::{Point3, Vector3};
 
-/// A box to stand in, seen from within; its axes are the world's, turned about z. \[mm\]
+/// A box seen from within; its axes are the world's, turned about z. \[mm\]
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Room {
+pub(crate) struct Background {
     /// Least corner.
     pub(crate) low: [f64; 3],
     /// Greatest corner.
     pub(crate) high: [f64; 3],
-    /// Size of things in it, against a room for a grown person.
+    /// Size of things in it, relative to those around a grown person.
     pub(crate) scale: f64,
-    /// Which of all such rooms.
+    /// Which of all such backgrounds.
     pub(crate) seed: u32,
     /// Its colours.
     pub(crate) palette: Palette,
 }
 
-impl Room {
-    /// The room around a turntable for a camera, in axes in which the camera is at -y; the floor is
+impl Background {
+    /// The background around a turntable for a camera, in axes in which the camera is at -y; the floor is
     /// so much below the disk's top, or under the camera.
     pub(crate) fn around(camera: &Point3<f64>, below: f64, seed: u32, palette: Palette) -> Self {
         let far = camera.coords.norm().max(1.0);
         let scale = far / 3200.0;
         let floor = (-below).min(camera.z - 0.1 * far);
-        Room {
+        Background {
             low: [-2600.0 * scale, -6000.0 * scale, floor],
             high: [2600.0 * scale, 1700.0 * scale, 4200.0 * scale],
             scale,
