@@ -17,7 +17,7 @@ pub(crate) use pose::ringed;
 pub(crate) use report::titled;
 
 /// The crates' stages, in the order in which data flows.
-pub const ROOMS: &[&[&dyn AnyStage]] = &[
+pub const CRATES: &[&[&dyn AnyStage]] = &[
     synth::STAGES,
     capture::STAGES,
     pose::STAGES,
@@ -67,7 +67,7 @@ const fn taken(stage: &'static dyn AnyStage, files: &'static [&'static str]) -> 
 /// The product: its stages, and what is to be known of what flows.
 pub static CATALOG: Catalog = Catalog {
     program: concat!("tailor ", env!("CARGO_PKG_VERSION")),
-    stages: ROOMS,
+    stages: CRATES,
     kinds: KINDS,
     importers: IMPORTERS,
     pipelines: &[

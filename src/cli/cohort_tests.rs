@@ -73,7 +73,7 @@ fn a_row_tells_tapes_intervals_scale_warnings_or_why_there_is_nothing() {
 }
 
 #[test]
-fn the_screen_and_json_say_the_same() {
+fn the_screen_and_json_have_the_same() {
     let rows = rows();
     let screen = text(&rows);
     let lines: Vec<&str> = screen.lines().collect();

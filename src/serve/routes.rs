@@ -17,7 +17,7 @@ use std::sync::Arc;
 type Route = (&'static str, MethodRouter<Arc<App>>);
 
 /// Bodies of calls other than files. \[bytes\]
-const MOST_SAID: usize = 64 << 10;
+const MOST_SENT: usize = 64 << 10;
 
 /// Every call; `docs/api/openapi.json` names the same, by test.
 fn routes() -> Vec<Route> {
@@ -92,7 +92,7 @@ pub(super) fn router(app: Arc<App>) -> Router {
     }
     router
         .fallback(visits::nowhere)
-        .layer(DefaultBodyLimit::max(MOST_SAID))
+        .layer(DefaultBodyLimit::max(MOST_SENT))
         .layer(from_fn_with_state(Arc::clone(&app), pass))
         .with_state(app)
 }

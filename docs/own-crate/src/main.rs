@@ -3,7 +3,7 @@
 use shape::Mesh;
 use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Ctx, Packer, Stage, Stop, Unpacker, erase};
 use std::sync::Arc;
-use tailor::catalog::{CATALOG, IMPORTERS, ROOMS};
+use tailor::catalog::{CATALOG, CRATES, IMPORTERS};
 use tailor::engine::kind::{NamedFiles, WriteError, with_own};
 use tailor::command;
 use tailor::engine::{Catalog, Kind};
@@ -90,7 +90,7 @@ const AREAS: Kind = Kind {
 
 static MINE: Catalog = Catalog {
     program: "my-tailor 0.1.0",
-    stages: &with_own::<_, { ROOMS.len() + 1 }>(STAGES, ROOMS),
+    stages: &with_own::<_, { CRATES.len() + 1 }>(STAGES, CRATES),
     kinds: &with_own::<_, { KINDS.len() + 1 }>(AREAS, KINDS),
     importers: IMPORTERS,
     pipelines: CATALOG.pipelines,

@@ -159,8 +159,8 @@ mod tests {
             language: Language::En,
             inches: false,
         };
-        let text = with_fields(words, "say --stature, or --mat-tag 60, or --mat");
-        assert_eq!(text, "say “Stature”, or “Tag of the mat” 60, or --mat");
+        let text = with_fields(words, "give --stature, or --mat-tag 60, or --mat");
+        assert_eq!(text, "give “Stature”, or “Tag of the mat” 60, or --mat");
     }
 
     #[test]
