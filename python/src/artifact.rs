@@ -14,23 +14,23 @@ use std::sync::{Arc, OnceLock};
 /// A result as it is in the store, verified. It stays in memory as long as an array looks into it.
 #[pyclass(frozen, module = "tailor._native")]
 pub(crate) struct Artifact {
-    blob: Held,
+    blob: Source,
     stage: &'static dyn AnyStage,
     photos: OnceLock<Arc<Photos>>,
 }
 
-/// The bytes: a blob of the store, or of our own making.
-enum Held {
+/// Where the bytes are: in a blob of the store, or in memory alone.
+enum Source {
     Blob(Blob),
     Own(Vec<u8>),
 }
 
-impl std::ops::Deref for Held {
+impl std::ops::Deref for Source {
     type Target = [u8];
     fn deref(&self) -> &[u8] {
         match self {
-            Held::Blob(blob) => blob,
-            Held::Own(bytes) => bytes,
+            Source::Blob(blob) => blob,
+            Source::Own(bytes) => bytes,
         }
     }
 }
@@ -39,7 +39,7 @@ impl Artifact {
     /// A node's result.
     pub(crate) fn new(blob: Blob, stage: &'static dyn AnyStage) -> Artifact {
         Artifact {
-            blob: Held::Blob(blob),
+            blob: Source::Blob(blob),
             stage,
             photos: OnceLock::new(),
         }
@@ -48,7 +48,7 @@ impl Artifact {
     /// The bytes of an artifact of the kind that a stage yields.
     pub(crate) fn of(bytes: Vec<u8>, stage: &'static dyn AnyStage) -> Artifact {
         Artifact {
-            blob: Held::Own(bytes),
+            blob: Source::Own(bytes),
             stage,
             photos: OnceLock::new(),
         }

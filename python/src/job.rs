@@ -15,7 +15,7 @@ pub(crate) type Event = (&'static str, String, String, usize, usize, f64);
 /// How often signals are looked at.
 const LOOK: Duration = Duration::from_millis(50);
 /// Progress within a node is reported no oftener than this.
-const TOLD: Duration = Duration::from_millis(50);
+const LEAST_APART: Duration = Duration::from_millis(50);
 
 /// Hands on what a walk reports.
 pub(crate) struct Listener {
@@ -44,7 +44,7 @@ impl Watch for Listener {
         let Ok(mut last) = self.last.lock() else {
             return;
         };
-        if done == of || last.is_none_or(|last| last.elapsed() > TOLD) {
+        if done == of || last.is_none_or(|last| last.elapsed() > LEAST_APART) {
             *last = Some(Instant::now());
             self.report(("progress", node.into(), label.into(), done, of, 0.0));
         }

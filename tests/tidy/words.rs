@@ -13,8 +13,7 @@ const AVOIDED: [&str; 12] = [
 ];
 
 /// How often they are in names, comments and texts of Rust by the repository's folders, and in the screen's own texts.
-const COUNTS: [(&str, usize); 6] = [
-    ("python", 9),
+const COUNTS: [(&str, usize); 5] = [
     ("src", 2),
     ("src/words/*.ftl", 15),
     ("stages", 728),
