@@ -52,7 +52,7 @@ fn shown(text: &str) -> Vec<&str> {
 }
 
 #[test]
-fn what_sentences_say_of_show_is_understood_as_it_is_printed() {
+fn show_as_sentences_have_it_is_understood_as_printed() {
     let mut count = 0;
     for page in pages() {
         for line in shown(&read(&page)) {

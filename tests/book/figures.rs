@@ -1,4 +1,4 @@
-//! Tables of figures: those that programs of the repository take, and what stands under all others.
+//! Tables of figures: those that programs of the repository take, and the line below all other tables.
 
 use crate::lab::data_of;
 use crate::tables::{hold, number, signed};
@@ -10,7 +10,7 @@ pub(crate) fn json(name: &str) -> Value {
     serde_json::from_str(&read(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
-/// As many digits as say something: from ten on none behind the point.
+/// As many digits as mean something: from ten on none behind the point.
 pub(crate) fn digits(x: f64) -> String {
     match x.abs() {
         a if a >= 9.95 => format!("{x:.0}"),
@@ -256,8 +256,8 @@ fn is_figure(cell: &str) -> bool {
     rest.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// Tables of figures of a page that stand neither between marks nor over a line that says when they were written by
-/// hand, and how.
+/// Tables of figures of a page that are neither between marks nor above a line with how and when they were written by
+/// hand.
 fn of_unknown_age(page: &str) -> Vec<String> {
     let text = read(page);
     let lines: Vec<&str> = text.lines().collect();
@@ -283,7 +283,7 @@ fn of_unknown_age(page: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_table_of_figures_comes_from_data_or_says_that_it_was_written_by_hand() {
+fn a_table_of_figures_comes_from_data_or_is_marked_as_written_by_hand() {
     let pages = pages().into_iter().filter(|page| data_of(page).is_none());
     let found: Vec<String> = pages.flat_map(|page| of_unknown_age(&page)).collect();
     assert_eq!(found, Vec::<String>::new());

@@ -48,7 +48,7 @@ fn cells(group: &Value) -> Vec<String> {
 }
 
 #[test]
-fn studies_are_what_their_data_say() {
+fn studies_are_what_their_data_give() {
     let mut count = 0;
     for page in pages() {
         let Some(data) = data_of(&page) else { continue };

@@ -1,4 +1,4 @@
-//! What a page shows under a command marked `sh screen` is what the program prints; a line `…` stands for some lines.
+//! What a page shows under a command marked `sh screen` is what the program prints; a line `…` replaces some lines.
 
 use crate::{pages, read, run};
 
@@ -46,7 +46,7 @@ fn screens_are_what_the_program_prints() {
 
 #[test]
 fn a_screen_that_differs_is_found() {
-    let page = "```sh screen\ntailor x\n```\n\nIt says:\n\n```text\na\n…\nc\n```\n";
+    let page = "```sh screen\ntailor x\n```\n\nIt prints:\n\n```text\na\n…\nc\n```\n";
     let (line, shown) = screens(page).remove(0);
     assert_eq!(line, "tailor x");
     assert!(holds(&shown, "a\nb\nc\n"));

@@ -24,7 +24,7 @@ fn what_a_page_shows_of_a_screen_is_on_it() {
     let mut shown = 0;
     for page in pages() {
         let text = read(&page);
-        // `…` stands for lines that are left out.
+        // `…` replaces lines that are left out.
         let blocks = text.split("```text screen\n").skip(1);
         for block in blocks {
             let mut rest = screen.as_str();

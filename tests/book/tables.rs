@@ -97,7 +97,7 @@ fn limbs(score: &Value) -> String {
     ))
 }
 
-/// What stands under a table: what of its data says how it came about.
+/// The line below a table: how its data came about.
 pub(crate) fn made_with(data: &Value, keys: &[&str]) -> String {
     let printed: Vec<&str> = keys.iter().map(|k| data[*k].as_str().unwrap()).collect();
     format!("\n*{}.*\n", printed.join(", "))

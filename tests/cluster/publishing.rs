@@ -156,7 +156,7 @@ fn an_element_requeued_or_killed_while_it_publishes_is_made_whole() {
         let sent = Command::new("kill").args([name, pid]).status();
         assert!(sent.unwrap().success(), "{pid} is gone");
     };
-    // Held still in the midst of writing, then back into the queue with whatever else runs.
+    // Stopped in the midst of writing, then back into the queue with whatever else runs.
     let mut pid = None;
     let start = Instant::now();
     while pid.is_none() {

@@ -179,7 +179,7 @@ fn a_plan_that_is_cancelled_keeps_what_is_done_and_goes_on() {
 
 #[test]
 #[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
-fn what_slurm_refuses_is_told() {
+fn what_slurm_refuses_is_reported() {
     let site = Site::new(1001);
     let plan = site.plan("1", &["x.s=0"]);
     let (code, text) = site.output(&["submit", &plan, "--engine", "slurm", "--partition", "none"]);

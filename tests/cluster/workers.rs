@@ -154,7 +154,7 @@ fn a_cohort_is_a_strand_a_folder_and_one_that_fails_fails_alone() {
 }
 
 #[test]
-fn work_lets_programs_run_that_it_is_told_to_and_none_without_the_sandbox_that_it_is_told_of() {
+fn work_lets_programs_run_that_are_allowed_and_none_without_the_sandbox_that_is_chosen() {
     let place = Place::new();
     std::fs::write(place.path("x.toml"), READER).unwrap();
     std::fs::create_dir_all(place.path("src")).unwrap();

@@ -55,13 +55,13 @@ fn a_graph_of_what_measure_would_run_has_its_own_params() {
 }
 
 #[test]
-fn why_is_told_against_the_run_of_another_machine() {
+fn why_compares_with_the_run_of_another_machine() {
     let place = Place::new();
     place
         .run("run small.toml --set solid.stature_mm=1500 --cache elsewhere --out theirs")
         .code(0);
     let asked = "why small.toml body --against theirs/run.json";
-    // Nothing was made here: what is known already is told.
+    // Nothing was made here: what is known already is printed.
     let reported = place.run(asked).code(0).out;
     assert!(
         reported.contains("solid: differs") && reported.contains("1500.0 -> 1750.0"),
@@ -88,7 +88,7 @@ fn why_is_told_against_the_run_of_another_machine() {
 }
 
 #[test]
-fn what_measure_would_do_is_told_by_its_own_words() {
+fn what_measure_would_do_is_planned_by_its_own_words() {
     let place = Place::new();
     place.photos("turn", 18);
     let facts = "--stature 81cm --weight 9";
@@ -110,7 +110,7 @@ fn what_measure_would_do_is_told_by_its_own_words() {
         why.starts_with("girths: may run\n") && why.contains("\nphotos: will run"),
         "{why}"
     );
-    for (words, says) in [
+    for (words, expected) in [
         ("plan measure nowhere", "nowhere"),
         ("plan measure turn nobody", "no node `nobody`"),
         ("plan measure turn --stature 7km", "--stature"),
@@ -120,7 +120,7 @@ fn what_measure_would_do_is_told_by_its_own_words() {
         ("plan --strands measure turn", "--strands cuts a pipeline"),
     ] {
         let printed = place.run(words).code(2).err;
-        assert!(printed.contains(says), "{words}: {printed}");
+        assert!(printed.contains(expected), "{words}: {printed}");
     }
     assert!(
         place
@@ -135,7 +135,7 @@ fn what_measure_would_do_is_told_by_its_own_words() {
 }
 
 #[test]
-fn what_a_plan_says_of_a_result_that_broke_is_what_a_run_does() {
+fn what_a_plan_has_for_a_result_that_broke_is_what_a_run_does() {
     let place = Place::new();
     place.run("run small.toml").code(0);
     let run = place.run("run small.toml --json").code(0).json();

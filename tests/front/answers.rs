@@ -63,7 +63,7 @@ fn plan_and_why_tell_old_and_new_back_to_the_root_cause() {
         .code(0)
         .out;
     assert!(text.contains("with stature_mm: 1750.0 -> 1500.0"), "{text}");
-    // Once it has run, `why` says why it ran.
+    // Once it has run, `why` explains why it ran.
     place
         .run("run small.toml --set solid.stature_mm=1500")
         .code(0);
@@ -199,7 +199,7 @@ fn runs_are_recorded_with_provenance_and_an_event_log_and_pins_hold() {
 }
 
 #[test]
-fn who_does_not_listen_does_no_harm_and_a_lost_answer_is_told() {
+fn who_does_not_listen_does_no_harm_and_a_lost_answer_is_reported() {
     let place = Place::new();
     place.run_into_full("2", "run small.toml").code(0);
     let printed = place.run_into_full("1", "plan small.toml").code(1);
@@ -231,7 +231,7 @@ fn lines_are_plain_where_nobody_looks_and_quiet_is_quiet() {
 }
 
 #[test]
-fn what_is_shown_is_of_the_folder_that_is_said() {
+fn what_is_shown_is_of_the_folder_that_is_given() {
     let place = Place::new();
     place.write(
         "two.toml",

@@ -1,4 +1,4 @@
-//! What is wrong with what a user hands over is told, and nothing is lost or half-written.
+//! What is wrong with a user's input is reported, and nothing is lost or half-written.
 
 use crate::place::{Place, SMALL};
 
@@ -41,13 +41,13 @@ fn all_mistakes_of_a_pipeline_come_at_once_each_with_its_place() {
     place.write("torn.toml", &SMALL[..SMALL.len() / 2]);
     let printed = place.run("run torn.toml").code(2);
     assert!(printed.err.contains("torn.toml:"), "{}", printed.err);
-    for (text, says) in [
+    for (text, expected) in [
         (&b""[..], "name what is wanted"),
         (b"\xff\xfe", "cannot be read"),
     ] {
         place.write("odd.toml", text);
         let printed = place.run("check odd.toml").code(2);
-        assert!(printed.err.contains(says), "{}", printed.err);
+        assert!(printed.err.contains(expected), "{}", printed.err);
     }
     let printed = place.run("run absent.toml").code(2);
     assert!(
@@ -62,10 +62,10 @@ fn all_mistakes_of_a_pipeline_come_at_once_each_with_its_place() {
 }
 
 #[test]
-fn what_is_said_on_the_command_line_is_checked() {
+fn the_command_line_is_checked() {
     let place = Place::new();
     place.write("load.toml", LOAD);
-    for (args, says) in [
+    for (args, expected) in [
         ("run small.toml nobody", "there is no node `nobody`"),
         ("run small.toml --variant fast", "variant `fast`"),
         ("run small.toml --set body.cell_mm=x", "wants a number"),
@@ -96,12 +96,12 @@ fn what_is_said_on_the_command_line_is_checked() {
         ("stages nobody", "nobody"),
     ] {
         let printed = place.run(args).code(2);
-        assert!(printed.err.contains(says), "{args}: {}", printed.err);
+        assert!(printed.err.contains(expected), "{args}: {}", printed.err);
     }
     assert!(!place.path("nowhere").exists());
 }
 
-/// Runs the sample's photos with one of them spoilt; what it says.
+/// Runs the sample's photos with one of them spoilt; what it prints.
 fn spoilt(spoil: impl Fn(&Place), code: i32) -> String {
     let place = Place::new();
     place.write("load.toml", LOAD);
@@ -146,8 +146,12 @@ fn photos_of_several_sizes_are_no_turn_but_may_be_a_walk() {
     let upright = image::open(&name).unwrap();
     upright.rotate90().save(&name).unwrap();
     let printed = place.run("run body --input photos=walk photos").code(1);
-    for says in ["5 are 800×1200", "0002.jpg is 1200×800", "--walk"] {
-        assert!(printed.err.contains(says), "{says}: {}", printed.err);
+    for expected in ["5 are 800×1200", "0002.jpg is 1200×800", "--walk"] {
+        assert!(
+            printed.err.contains(expected),
+            "{expected}: {}",
+            printed.err
+        );
     }
     let printed = place.run("run walk --input photos=walk photos").code(0);
     assert!(!printed.err.contains("warning"), "{}", printed.err);
@@ -167,7 +171,7 @@ fn a_photo_that_cannot_be_read_is_named() {
 }
 
 #[test]
-fn a_full_disk_is_told_and_what_is_half_written_is_nowhere() {
+fn a_full_disk_is_reported_and_what_is_half_written_is_nowhere() {
     let place = Place::new();
     let command = "run small.toml --set body.cell_mm=12 --out out";
     let printed = place.run_limited(16, command).code(1);
@@ -194,7 +198,7 @@ fn a_full_disk_is_told_and_what_is_half_written_is_nowhere() {
 }
 
 #[test]
-fn a_cache_that_cannot_be_made_or_is_of_another_layout_is_told() {
+fn a_cache_that_cannot_be_made_or_is_of_another_layout_is_refused() {
     let place = Place::new();
     place.write("a-file", b"not a folder");
     for cache in ["a-file", "a-file/below"] {

@@ -60,7 +60,7 @@ fn the_last_run_is_the_last_of_the_same_and_what_counts_is_now() {
     place.run("run small.toml").code(0);
     place.run("run small.toml --variant fine").code(0);
     place.run("run other.toml").code(0);
-    // Others' runs came between: nothing is new for this one.
+    // Runs of other pipelines came between: nothing is new for this one.
     let (nothing, as_it_is) = (Vec::<String>::new(), "body small.toml");
     place.run("run small.toml").code(0);
     assert_eq!(

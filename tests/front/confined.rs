@@ -45,9 +45,9 @@ fn run(place: &Place, before: &str, pipeline: &str) -> Option<Printed> {
     Some(printed)
 }
 
-/// What lines of a shell say, without bubblewrap.
-fn says(place: &Place, line: &str, more: &str) -> Option<String> {
-    let line = format!("({line}) > \"$1/said.txt\" 2>&1; true");
+/// What lines of a shell print, without bubblewrap.
+fn prints(place: &Place, line: &str, more: &str) -> Option<String> {
+    let line = format!("({line}) > \"$1/printed.txt\" 2>&1; true");
     run(place, "", &node(&line, more))?.code(0);
     Some(fs::read_to_string(place.path("out/x.txt")).unwrap())
 }
@@ -59,7 +59,7 @@ fn without_bubblewrap_a_program_does_its_work() {
     let line = "cp -p /bin/sh $TMPDIR/a; mkdir $TMPDIR/b; mv $TMPDIR/a $TMPDIR/b; chmod 600 $TMPDIR/b/a; ls $TMPDIR/b; \
         python3 -c 'import subprocess, socket; print(subprocess.check_output([\"ls\", \"b\"])); socket.socketpair()'; \
         echo done > /dev/null; cat < /dev/null";
-    let Some(printed) = says(&place, line, "") else {
+    let Some(printed) = prints(&place, line, "") else {
         return;
     };
     assert_eq!(printed, "a\nb'a\\n'\n");
@@ -91,7 +91,7 @@ fn without_bubblewrap_a_program_changes_nothing_elsewhere() {
         "ln -s F/mine.txt $TMPDIR/link && echo no > $TMPDIR/link",
     ];
     let line = lines.map(|line| line.replace('F', &folder)).join("; ");
-    let Some(printed) = says(&place, &line, "") else {
+    let Some(printed) = prints(&place, &line, "") else {
         return;
     };
     let after = fs::metadata(&mine).unwrap();
@@ -114,8 +114,8 @@ fn without_bubblewrap_a_program_changes_nothing_elsewhere() {
 fn without_bubblewrap_what_was_not_declared_cannot_be_read() {
     let place = Place::new();
     place.write("secret.txt", "hidden words");
-    place.write("told/read.txt", "declared words");
-    let reported = place.path("told").display().to_string();
+    place.write("declared/read.txt", "declared words");
+    let reported = place.path("declared").display().to_string();
     let secret = place.path("secret.txt").display().to_string();
     let line = format!(
         "cat {secret}; ls {}; cat /etc/passwd; ls /; cat {reported}/read.txt; cat <&9",
@@ -123,7 +123,7 @@ fn without_bubblewrap_what_was_not_declared_cannot_be_read() {
     );
     // What the program itself was started with open is nobody's either.
     let before = "exec 9<secret.txt;";
-    let line = format!("({line}) > \"$1/said.txt\" 2>&1; true");
+    let line = format!("({line}) > \"$1/printed.txt\" 2>&1; true");
     let Some(ran) = run(
         &place,
         before,
@@ -180,7 +180,7 @@ fn without_bubblewrap_a_program_reaches_no_process_and_no_socket() {
     let port = tcp.local_addr().unwrap().port();
     let outside = std::process::id();
     let line = format!("python3 \"$2\" {} {port} {outside}", socket.display());
-    let line = format!("({line}) > \"$1/said.txt\" 2>&1; true");
+    let line = format!("({line}) > \"$1/printed.txt\" 2>&1; true");
     let text = node(&line, "files = [\"reach.py\"]\n")
         .replace("\"{out}\"]", "\"{out}\", \"{here}/reach.py\"]");
     let Some(ran) = run(&place, "", &text) else {
@@ -189,7 +189,7 @@ fn without_bubblewrap_a_program_reaches_no_process_and_no_socket() {
     let ran = ran.code(0);
     let printed = fs::read_to_string(place.path("out/x.txt")).unwrap();
     assert!(printed.ends_with("END\n"), "{printed}");
-    // Kernels before 6.12 keep no signals back, and that is told.
+    // Kernels before 6.12 keep no signals back, and that is reported.
     let signals = ran.err.contains("can send them signals");
     let done: Vec<&str> = printed
         .lines()

@@ -10,7 +10,7 @@ fn turn() -> Place {
 }
 
 #[test]
-fn what_is_odd_is_told_by_photo_and_what_can_be_measured() {
+fn what_is_odd_is_reported_by_photo_and_what_can_be_measured() {
     let place = turn();
     let reported = place.run("doctor turn --json").code(0).json();
     assert_eq!(reported["photos"], 12);
@@ -96,13 +96,13 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
     assert_eq!(reported["findings"][0]["grade"], "stop", "{reported}");
     assert!(reported["can"]["girths"]["text"] == "no", "{reported}");
     let printed = place.run("measure turn").code(1).err;
-    for says in [
+    for expected in [
         "photos failed",
         "not in turning order",
         "any-order.toml",
         "photos.stop=false",
     ] {
-        assert!(printed.contains(says), "{says}: {printed}");
+        assert!(printed.contains(expected), "{expected}: {printed}");
     }
     assert!(!place.has("keypoints", "done", "made"));
 }
@@ -131,7 +131,7 @@ fn another_mat_than_the_one_on_the_disk_stops() {
 }
 
 #[test]
-fn init_writes_what_photos_say_once_and_measure_reads_it() {
+fn init_writes_what_photos_show_once_and_measure_reads_it() {
     let place = turn();
     let printed = place
         .run("init turn --stature 5ft10in --mat-tag 59.7 --sex female --born 2016-05-01 --date 2026-05-01")
@@ -146,13 +146,13 @@ fn init_writes_what_photos_say_once_and_measure_reads_it() {
     assert_eq!(printed, ["female", "2016-05-01"]);
     assert_eq!(file["date"].as_str(), Some("2026-05-01"));
     assert_eq!(file["mat"]["tag_size_mm"].as_float(), Some(59.7));
-    for says in [
+    for expected in [
         "marker tags 0 to 11, 12 on a ring",
         "EXIF has 50 mm",
         "# weight_kg",
         "# plate",
     ] {
-        assert!(text.contains(says), "{says}: {text}");
+        assert!(text.contains(expected), "{expected}: {text}");
     }
     let reported = place.run("doctor turn --json").code(0).json();
     assert_eq!(
@@ -181,8 +181,8 @@ fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
             .lines()
             .find(|l| l.contains("stop"))
             .unwrap_or_default();
-        for says in [*name, "empty scene", &format!("plate = \"{name}\"")] {
-            assert!(line.contains(says), "{says}: {printed}");
+        for expected in [*name, "empty scene", &format!("plate = \"{name}\"")] {
+            assert!(line.contains(expected), "{expected}: {printed}");
         }
         let printed = place.run("measure turn --mat-tag 60").code(1).err;
         assert!(
@@ -190,7 +190,7 @@ fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
             "{printed}"
         );
         assert!(!printed.contains("two legs"), "{printed}");
-        // As it says, it is the plate from there on.
+        // With that line it is the plate from there on.
         if at == 0 {
             let seen = place
                 .run(&format!("doctor turn --plate {name} --json"))
@@ -214,13 +214,13 @@ fn copies_are_named_where_too_few_photos_are_left() {
         place.write(&format!("turn/000{i}.jpg"), &photo);
     }
     let printed = place.run("doctor turn").code(1).err;
-    for says in [
+    for expected in [
         "1 of 5 photos",
         "0001.jpg = 0000.jpg",
         "0004.jpg = 0000.jpg",
         "at least 3",
     ] {
-        assert!(printed.contains(says), "{says}: {printed}");
+        assert!(printed.contains(expected), "{expected}: {printed}");
     }
     place.photos("turn", 4);
     let seen = place.run("doctor turn").code(0).out;

@@ -1,4 +1,4 @@
-//! What is known of a capture, said on the command line; and folders as people have them.
+//! What is known of a capture, given on the command line; and folders as people have them.
 
 use crate::place::Place;
 
@@ -40,10 +40,10 @@ fn facts_are_in_the_key_and_in_the_provenance_and_win_over_the_file() {
 }
 
 #[test]
-fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
+fn flags_that_cannot_be_are_refused_as_they_were_given_before_anything_runs() {
     let place = turn();
     place.write("mat.txt", "a mat, but no word of it");
-    for (flags, says) in [
+    for (flags, expected) in [
         ("--stature 1780", "`1780` is not from 10 to 300 cm"),
         ("--stature 1.78", "did you mean 1.78m?"),
         ("--stature tall", "--stature: `tall` is not a length"),
@@ -57,13 +57,13 @@ fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
         ("--unit ell", "ell"),
     ] {
         let printed = place.run(&format!("measure turn {flags}")).code(2);
-        assert!(printed.err.contains(says), "{flags}: {}", printed.err);
+        assert!(printed.err.contains(expected), "{flags}: {}", printed.err);
     }
     assert!(!place.path("cache").exists());
 }
 
 #[test]
-fn what_images_says_is_taken_and_what_is_not_there_is_told() {
+fn the_folder_of_images_is_taken_and_one_that_is_not_there_is_refused() {
     let place = turn();
     place.write(
         "turn/selfie.jpg",
@@ -94,7 +94,7 @@ fn what_images_says_is_taken_and_what_is_not_there_is_told() {
 }
 
 #[test]
-fn a_copy_is_left_out_and_sizes_that_differ_are_told_with_what_to_do() {
+fn a_copy_is_left_out_and_sizes_that_differ_are_refused_with_what_to_do() {
     let place = turn();
     place.write(
         "turn/0002 copy.jpg",
@@ -109,8 +109,8 @@ fn a_copy_is_left_out_and_sizes_that_differ_are_told_with_what_to_do() {
     let selfie = shape::Rgb::filled(30, 40, [9, 99, 200]);
     place.write("turn/selfie.png", shape::rgb_to_png(&selfie));
     let printed = place.run(run).code(1).err;
-    for says in ["6 are 800×1200", "selfie.png is 30×40", "--images"] {
-        assert!(printed.contains(says), "{says}: {printed}");
+    for expected in ["6 are 800×1200", "selfie.png is 30×40", "--images"] {
+        assert!(printed.contains(expected), "{expected}: {printed}");
     }
 }
 
@@ -120,7 +120,7 @@ fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
     place.write("a/IMG_1.HEIC", "x");
     let printed = place.run("measure a").code(2).err;
     assert!(printed.contains("heif-convert"), "{printed}");
-    // Videos and raw photos go to programs, which say that these are none.
+    // Videos and raw photos go to programs, which find that these are none.
     for (file, name) in [("b/walk.MOV", "walk.MOV"), ("c/b.DNG", "b.DNG")] {
         place.write(file, "x");
         let printed = place.run(&format!("measure {}", &file[..1])).code(1).err;
@@ -130,8 +130,8 @@ fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
     assert!(printed.contains("nowhere"), "{printed}");
     place.photos("few", 3);
     let printed = place.run("measure few").code(2).err;
-    for says in ["few has 3 photos", "18 to 36", "tailor mat", "--step"] {
-        assert!(printed.contains(says), "{says}: {printed}");
+    for expected in ["few has 3 photos", "18 to 36", "tailor mat", "--step"] {
+        assert!(printed.contains(expected), "{expected}: {printed}");
     }
 }
 
@@ -140,8 +140,8 @@ fn several_folders_are_measured_each_on_its_own() {
     let place = turn();
     place.write("a/walk.HEIC", "x");
     let printed = place.run("measure a nowhere").code(1).err;
-    for says in ["a holds no photo", "nowhere", "2 of 2 captures"] {
-        assert!(printed.contains(says), "{says}: {printed}");
+    for expected in ["a holds no photo", "nowhere", "2 of 2 captures"] {
+        assert!(printed.contains(expected), "{expected}: {printed}");
     }
     let reported = place.run("measure a nowhere --json").code(1).json();
     let folders: Vec<_> = reported
@@ -264,7 +264,7 @@ fn of_more_photos_than_are_of_use_the_sharpest_of_even_stretches_are_taken() {
     {
         assert!(pair.iter().any(|p| name.starts_with(p)), "{names:?}");
     }
-    // Steps between them are no longer even, so none is told.
+    // Steps between them are no longer even, so none is given.
     let reported = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
     assert!(!reported.contains("step_deg"), "{reported}");
 }

@@ -1,4 +1,4 @@
-//! A first answer comes while the whole is made, its page says so when the whole does not come, and it is no run.
+//! A first answer comes while the whole is made, its page has a note when the whole does not come, and it is no run.
 
 use crate::place::{Place, signal};
 use std::io::{BufRead, BufReader};
@@ -192,7 +192,7 @@ fn a_weight_a_name_and_a_day_that_come_later_make_only_girths_and_what_follows_a
 }
 
 #[test]
-fn a_first_answer_whose_whole_is_stopped_says_so() {
+fn a_first_answer_whose_whole_is_stopped_has_a_note() {
     let place = begun();
     // The whole must still be under way when its first answer is there.
     let long = anew().replace("body.rounds=1", "body.rounds=60");

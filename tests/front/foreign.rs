@@ -1,4 +1,4 @@
-//! Programs of others in the product: the shipped pipeline with ffmpeg, kinds that programs may make.
+//! Foreign programs in the product: the shipped pipeline with ffmpeg, kinds that programs may make.
 
 use crate::place::Place;
 use std::path::Path;
@@ -38,7 +38,7 @@ fn frames_of_a_video_are_taken_by_ffmpeg_at_even_times() {
 }
 
 #[test]
-fn tags_and_tracks_of_a_program_are_taken_and_what_cannot_be_is_told() {
+fn tags_and_tracks_of_a_program_are_taken_and_what_cannot_be_is_refused() {
     let place = Place::new();
     place.photos("shots", 3);
     let node = |kind: &str, text: &str| {

@@ -1,4 +1,4 @@
-//! Landmarks and girths that programs of others found: taken, or told why not.
+//! Landmarks and girths that foreign programs found: taken, or refused with a reason.
 
 use crate::place::Place;
 
@@ -9,7 +9,7 @@ const CUBE: &str = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\np
     3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n3 2 6 3\n3 3 6 7\n3 0 4 2\n3 2 4 6\n3 1 3 5\n\
     3 3 7 5\n";
 
-/// Kind, file, and what is told of it.
+/// Kind, file, and the message about it.
 type Case = (&'static str, String, &'static str);
 
 /// What is taken, and what the file shows that is written again; what is not, and why.
@@ -88,7 +88,7 @@ fn pipeline(kind: &str, text: &str) -> String {
 }
 
 #[test]
-fn landmarks_and_girths_of_a_program_are_taken_and_what_cannot_be_is_told() {
+fn landmarks_and_girths_of_a_program_are_taken_and_what_cannot_be_is_refused() {
     let place = Place::new();
     place.write("body/cube.ply", CUBE);
     let (good, bad) = cases();

@@ -1,4 +1,4 @@
-//! A store keeps its hands off what is not its own, and believes no file that is not what it says.
+//! A store keeps its hands off what is not its own, and believes no file without checking it.
 
 use crate::place::Place;
 use std::fs;
@@ -44,7 +44,7 @@ fn gc_removes_names_of_its_own_form_only() {
     let place = Place::new();
     place.run("run small.toml").code(0);
     let hash = "ab".repeat(32);
-    let others = [
+    let foreign = [
         "tmp/notes.md",
         "tmp/12-letter",
         "lease/notes",
@@ -57,7 +57,7 @@ fn gc_removes_names_of_its_own_form_only() {
         "ac/ab/notes.md",
         "pins/.hidden",
     ];
-    others
+    foreign
         .iter()
         .for_each(|name| place.write(&format!("cache/{name}"), "x"));
     // Of our form: litter.
@@ -72,7 +72,7 @@ fn gc_removes_names_of_its_own_form_only() {
         .for_each(|name| place.write(&format!("cache/{name}"), "x"));
     place.run("cache verify").code(0);
     place.run(GC).code(0);
-    for name in others {
+    for name in foreign {
         assert!(place.path(&format!("cache/{name}")).exists(), "{name}");
     }
     for name in litter {

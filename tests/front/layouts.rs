@@ -6,7 +6,7 @@ use image::DynamicImage;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// A line of the table: patterns of files, and what to say.
+/// A line of the table: patterns of files, and the flags.
 type Layout = (Vec<String>, Vec<String>);
 
 /// What is in backticks.
@@ -41,7 +41,7 @@ static SMALL: LazyLock<(Vec<DynamicImage>, DynamicImage)> = LazyLock::new(|| {
     (photos.collect(), small("plate.jpg"))
 });
 
-/// Small photos of the sample as the patterns say, and how many plates are among them.
+/// Small photos of the sample, named by the patterns, and how many plates are among them.
 fn lay_out(place: &Place, folder: &str, patterns: &[String]) -> usize {
     let put = |photo: &DynamicImage, to: &str| {
         let path = place.path(folder).join(to);
@@ -73,7 +73,7 @@ fn init_doctor_and_measure_read_every_layout_of_the_docs() {
             let folder = format!("turn-{at}-{way}");
             let plates = lay_out(&place, &folder, patterns);
             let reported = format!("{patterns:?} {words}");
-            // What was said of the folder is in the file from here on.
+            // What was given for the folder is in the file from here on.
             place.run(&format!("init {folder} {words}")).code(0);
             let file = std::fs::read_to_string(place.path(&folder).join("capture.toml")).unwrap();
             let reported = format!("{reported}\n{file}");
@@ -109,8 +109,12 @@ fn a_plate_that_is_not_there_is_refused_with_those_that_are() {
     );
     for named in ["plate.png", "room/plate.jpg", "palte.jpg"] {
         let printed = place.run(&format!("doctor turn --plate {named}")).code(1);
-        for says in [named, "images/plate.jpg"] {
-            assert!(printed.err.contains(says), "{says}: {}", printed.err);
+        for expected in [named, "images/plate.jpg"] {
+            assert!(
+                printed.err.contains(expected),
+                "{expected}: {}",
+                printed.err
+            );
         }
     }
 }

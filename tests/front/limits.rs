@@ -4,7 +4,7 @@ use crate::place::Place;
 use std::fs;
 
 #[test]
-fn any_number_of_threads_that_somebody_says_is_bound() {
+fn any_number_of_threads_that_somebody_asks_for_is_bound() {
     let place = Place::new();
     place.run("run small.toml --threads 100000").code(0);
     let cores = std::thread::available_parallelism().unwrap().get();

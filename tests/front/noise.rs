@@ -1,4 +1,4 @@
-//! Noise of photos: told always, warned of where masks may lose parts by it.
+//! Noise of photos: always reported, warned of where masks may lose parts by it.
 
 use crate::place::Place;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Results in a user's folder: whole, never through a link, never another's, and told what is left.
+//! Results in a user's folder: whole, never through a link, never another's, and what is left is listed.
 
 use crate::place::{Place, SMALL};
 use serde_json::Value;
@@ -25,7 +25,7 @@ fn run_json(place: &Place, out: &str) -> Value {
 }
 
 #[test]
-fn what_did_not_change_keeps_its_time_and_what_is_left_is_told() {
+fn what_did_not_change_keeps_its_time_and_what_is_left_is_listed() {
     let place = Place::new();
     let command = "run small.toml --out out";
     place.run(command).code(0);
@@ -46,7 +46,7 @@ fn what_did_not_change_keeps_its_time_and_what_is_left_is_told() {
         .run(&format!("{command} --set body.cell_mm=30"))
         .code(0);
     assert_ne!(time(&body), past);
-    // One node less: what it wrote is told, and goes if that is said.
+    // One node less: what it wrote is listed, and goes where that is asked for.
     let less = "run small.toml sway --out out";
     let printed = place.run(less).code(0);
     assert!(
@@ -108,14 +108,14 @@ fn nothing_is_written_through_a_link() {
 }
 
 #[test]
-fn a_wrong_folder_for_results_is_told_before_anything_runs() {
+fn a_wrong_folder_for_results_is_refused_before_anything_runs() {
     let place = Place::new();
     place.photos("turn", 3);
     place.photos("deep/images", 3);
     place.write("turn.toml", TURN);
     place.write("file", "x");
     symlink("nowhere", place.path("dangling")).unwrap();
-    for (args, says) in [
+    for (args, expected) in [
         ("run small.toml --out file", "file is no folder"),
         ("run small.toml --out file/below", "file is no folder"),
         ("run small.toml --out dangling", "dangling"),
@@ -139,7 +139,7 @@ fn a_wrong_folder_for_results_is_told_before_anything_runs() {
         ("measure turn --out turn/any/where", "read as input"),
     ] {
         let printed = place.run(args).code(2);
-        assert!(printed.err.contains(says), "{args}: {}", printed.err);
+        assert!(printed.err.contains(expected), "{args}: {}", printed.err);
         assert!(!place.path("cache").exists(), "{args}");
     }
     place
@@ -154,7 +154,7 @@ fn the_results_of_two_captures_do_not_get_into_one_folder_unasked() {
         place.write(&format!("{capture}/letter.txt"), "no photo");
     }
     place.write("p2/scan/0000.jpg", "no photo");
-    // Whose a folder is stands in its run.json: here of the first, as `run` writes it.
+    // Whose a folder is, its run.json shows: here of the first, as `run` writes it.
     place.photos("p1/scan", 3);
     place.write("turn.toml", TURN);
     place

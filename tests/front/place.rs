@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::LazyLock;
 
-/// Cheap stages of the synthetic room: four nodes, no input.
+/// Cheap synthetic stages: four nodes, no input.
 pub(crate) const SMALL: &str = "about = \"a doll\"\ngoal = [\"sway\", \"body\"]\n\
     [node.solid]\nstage = \"synth.solid\"\n\
     [node.body]\nstage = \"synth.body\"\nfrom = [\"solid\"]\nwith = { cell_mm = 40.0 }\n\
@@ -25,7 +25,7 @@ static SHARED: LazyLock<PathBuf> = LazyLock::new(|| {
     }
 });
 
-/// What the program said.
+/// What the program printed.
 pub(crate) struct Printed {
     pub(crate) code: Option<i32>,
     pub(crate) out: String,
@@ -107,7 +107,7 @@ impl Place {
         }
     }
 
-    /// Under a limit on the size of files, which stands for a full disk. \[KiB\]
+    /// Under a limit on the size of files, in place of a full disk. \[KiB\]
     pub(crate) fn run_limited(&self, kib: usize, args: &str) -> Printed {
         let exe = env!("CARGO_BIN_EXE_tailor");
         self.bash(&format!("trap '' XFSZ; ulimit -f {kib}; exec {exe} {args}"))
@@ -140,7 +140,7 @@ impl Place {
         command.spawn().unwrap()
     }
 
-    /// What the event logs of all runs say, one JSON object a line.
+    /// The event logs of all runs, one JSON object a line.
     pub(crate) fn events(&self) -> Vec<Value> {
         let runs = std::fs::read_dir(self.path("cache/runs"));
         let mut logs: Vec<PathBuf> = runs

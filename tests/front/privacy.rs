@@ -49,7 +49,7 @@ fn what_is_forgotten_is_gone_and_the_rest_stays() {
     let photo = fs::read(place.path("anna/0000.jpg")).unwrap();
     let inner = &photo[2000..2400];
     assert!(holds(&place, inner) && holds(&place, b"/anna\""));
-    // The same photos lie elsewhere: told, and gone all the same.
+    // The same photos are elsewhere: reported, and gone all the same.
     let printed = place.run("cache forget anna --json").code(0).json();
     assert_eq!(
         (&printed["runs"], &printed["results"]),
@@ -138,7 +138,7 @@ fn who_is_measured_is_in_no_key_but_of_what_asks_for_it() {
     assert_eq!(became(""), ["made", "made", "made"]);
     let sex = "--set person.facts.subject.sex=female";
     assert_eq!(became(sex), ["found", "found", "made"]);
-    // The file itself is read again; what it says of a person stays out of the photos.
+    // The file itself is read again; what it has about a person stays out of the photos.
     place.write("anna/capture.toml", "[subject]\nage_years = 9.5\n");
     assert_eq!(became(""), ["made", "found", "made"]);
     place.write("anna/capture.toml", "[subject]\nage_years = 10.5\n");
@@ -170,8 +170,8 @@ fn forget_names_the_folders_of_results_that_stay_and_removes_what_is_theirs() {
     let photo = place.path("far/results/photos/images/0000.jpg");
     assert!(photo.exists());
     let printed = place.run("cache forget anna").code(0).out;
-    for says in ["far/results", "--out"] {
-        assert!(printed.contains(says), "{says}: {printed}");
+    for expected in ["far/results", "--out"] {
+        assert!(printed.contains(expected), "{expected}: {printed}");
     }
     assert!(photo.exists(), "named, not removed");
     assert!(!holds(&place, b"/anna") && !holds(&place, b"far/results"));
@@ -210,7 +210,7 @@ fn the_folder_of_a_sweep_is_named_and_removed_as_that_of_a_run() {
     );
     let printed = place.run("cache forget anna --out far/tables").code(0).out;
     assert!(!place.path("far/tables").exists(), "{printed}");
-    // A later sweep says what an earlier one left.
+    // A later sweep reports what an earlier one left.
     place
         .run("run turn.toml --input photos=anna --out far/tables")
         .code(0);

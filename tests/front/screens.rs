@@ -6,7 +6,7 @@ use crate::place::{Place, Printed};
 /// Columns of a terminal as it comes.
 const COLUMNS: usize = 80;
 
-/// Names of nodes that say nothing to who measures.
+/// Names of nodes that mean nothing to who measures.
 const NODES: [&str; 4] = ["calibrated", "compensated", "evidence", "keypoints"];
 
 /// The places of these in a text, which must come in this order.
@@ -152,7 +152,7 @@ fn on_a_terminal(place: &Place) {
 }
 
 #[test]
-fn what_was_warned_of_is_told_where_nothing_comes_of_it() {
+fn what_was_warned_of_is_shown_where_nothing_comes_of_it() {
     let place = Place::new();
     place.photos("turn", 9);
     place.write("turn/raw.cr2", "x");

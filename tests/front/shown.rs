@@ -1,4 +1,4 @@
-//! What is shown without saying where to, how a run ends, and which length of a girth is told.
+//! What is shown where no output is chosen, how a run ends, and which length of a girth is printed.
 
 use crate::place::{Place, SMALL};
 

@@ -72,7 +72,7 @@ fn the_second_ctrl_c_stops_at_once() {
     let reported = |line: String| line.starts_with("Stopping.");
     assert!(
         printed.any(|line| reported(line.unwrap())),
-        "told that it drains"
+        "it reports that it drains"
     );
     signal(&child, "INT");
     assert_eq!(child.wait().unwrap().code(), Some(130));
@@ -92,7 +92,7 @@ fn a_cache_deleted_while_it_is_in_use_loses_nothing_but_the_cache() {
     place.wait_for("body", "started");
     std::fs::remove_dir_all(place.path("cache")).unwrap();
     let code = child.wait().unwrap().code();
-    assert!(matches!(code, Some(0 | 1)), "{code:?}: done, or told");
+    assert!(matches!(code, Some(0 | 1)), "{code:?}: done, or reported");
     place.run("run fine.toml --out second").code(0);
     place.sound();
     let body = |out: &str| std::fs::read(place.path(out).join("body.ply"));

@@ -1,5 +1,5 @@
-//! What strangers put into a shared store, and stores that do not answer: nobody's signature is put on what others
-//! made, nothing waits for ever, and what lies there is for its owner.
+//! What strangers put into a shared store, and stores that do not answer: nobody's signature is put on what somebody
+//! else made, nothing waits for ever, and what is there is for its owner.
 
 use crate::place::Place;
 use std::fs;
@@ -71,7 +71,7 @@ fn nobody_signs_what_strangers_put_there() {
     *blob.last_mut().unwrap() ^= 1;
     record["content"] = blake3::hash(&blob).to_hex().as_str().into();
     forge(&ring, &record, &blob);
-    // Without keys everybody is believed, as is said.
+    // Without keys everybody is believed, as documented.
     let keys = format!("{store} --sign-key lab.key --trust trusted");
     assert_ne!(contents(&place, &format!("--cache lab {store}")), truth);
     place.run("cache keygen lab.key --cache none").code(0);
@@ -110,7 +110,7 @@ fn a_cache_that_was_copied_is_signed_by_nobody() {
 }
 
 #[test]
-fn sizes_and_times_that_strangers_say_move_nothing() {
+fn sizes_and_times_that_strangers_give_move_nothing() {
     let place = Place::new();
     let store = shared(&place);
     let truth = contents(&place, &format!("--cache stranger {store}"));
@@ -200,7 +200,7 @@ fn drip(mut stream: std::net::TcpStream) {
 }
 
 #[test]
-fn a_store_that_never_answers_or_drips_costs_no_more_than_was_said() {
+fn a_store_that_never_answers_or_drips_costs_no_more_than_is_set() {
     // Taken, and never answered.
     delayed(std::mem::forget);
     delayed(|stream| _ = std::thread::spawn(|| drip(stream)));

@@ -3,7 +3,7 @@
 use crate::place::{Place, SMALL};
 
 #[test]
-fn open_ports_are_told_with_the_other_mistakes() {
+fn open_ports_are_reported_with_the_other_mistakes() {
     let place = Place::new();
     let wrong = "goal = [\"a\", \"b\", \"c\"]\n[node.solid]\nstage = \"synth.solid\"\nwith = { stature = 1 }\n\
         [node.a]\nstage = \"synth.body\"\n[node.b]\nstage = \"synth.sway\"\nfrom = []\n\
@@ -18,13 +18,13 @@ fn open_ports_are_told_with_the_other_mistakes() {
     ] {
         assert!(printed.contains(what), "{what}: {printed}");
     }
-    assert!(!printed.contains("node `c`"), "said already: {printed}");
+    assert!(!printed.contains("node `c`"), "printed already: {printed}");
 }
 
 #[test]
-fn what_the_command_line_says_is_not_looked_for_in_the_file() {
+fn what_the_command_line_sets_is_not_looked_for_in_the_file() {
     let place = Place::new();
-    for (args, says) in [
+    for (args, expected) in [
         (
             "run small.toml --set body.cell_mm=0",
             "`--set body.cell_mm=0`: ",
@@ -48,7 +48,7 @@ fn what_the_command_line_says_is_not_looked_for_in_the_file() {
         ),
     ] {
         let printed = place.run(args).code(2).err;
-        assert!(printed.contains(says), "{args}: {printed}");
+        assert!(printed.contains(expected), "{args}: {printed}");
         assert!(!printed.contains("--> small.toml"), "{args}: {printed}");
     }
 }
@@ -57,7 +57,7 @@ fn what_the_command_line_says_is_not_looked_for_in_the_file() {
 fn names_of_girths_that_are_taken_are_refused_before_anything_runs() {
     let place = Place::new();
     let own = |name: &str, part: &str| format!("[girth.{name}]\npart = \"{part}\"\nat = 0.4\n");
-    for (girths, says) in [
+    for (girths, expected) in [
         (own("WC", "trunk"), "`girth.WC` is taken"),
         (own("TC", "thigh"), "`girth.TC` is taken: TC_L is a girth"),
         (
@@ -68,7 +68,7 @@ fn names_of_girths_that_are_taken_are_refused_before_anything_runs() {
         place.write("own.toml", format!("extends = \"body\"\n{girths}"));
         let printed = place.run("check own.toml").code(2).err;
         assert!(
-            printed.contains(says) && printed.contains("own.toml:2:"),
+            printed.contains(expected) && printed.contains("own.toml:2:"),
             "{printed}"
         );
     }
@@ -85,7 +85,7 @@ fn names_of_girths_that_are_taken_are_refused_before_anything_runs() {
 }
 
 #[test]
-fn both_places_of_a_duplicate_are_told() {
+fn both_places_of_a_duplicate_are_named() {
     let place = Place::new();
     for (more, line) in [
         ("with = { cell_mm = 40.0 }\nwith = { cell_mm = 1.0 }\n", 8),
@@ -129,7 +129,7 @@ fn what_is_missing_or_leads_out_is_named() {
 }
 
 #[test]
-fn odd_names_of_files_are_told_and_steer_no_terminal() {
+fn odd_names_of_files_are_printed_and_steer_no_terminal() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
     let place = Place::new();
@@ -141,7 +141,7 @@ fn odd_names_of_files_are_told_and_steer_no_terminal() {
     let turn = "goal = \"photos\"\n[input.photos]\nfiles = \"*.jpg\"\n[node.photos]\n\
         stage = \"capture.load\"\nfrom = { files = \"@photos\" }\n";
     place.write("turn.toml", turn);
-    for (bytes, says) in [
+    for (bytes, expected) in [
         (&b"a\x1b[31m.jpg"[..], "control characters"),
         (b"a\nb.jpg", "control characters"),
         (b"\xff.jpg", "is not UTF-8"),
@@ -150,7 +150,7 @@ fn odd_names_of_files_are_told_and_steer_no_terminal() {
         let odd = place.path("turn").join(OsStr::from_bytes(bytes));
         std::fs::write(&odd, "x").unwrap();
         let printed = place.run("run turn.toml --input photos=turn").code(2).err;
-        assert!(printed.contains(says), "{printed:?}");
+        assert!(printed.contains(expected), "{printed:?}");
         assert!(
             !printed.contains('\u{1b}') && printed.lines().count() == 1,
             "{printed:?}"
@@ -164,7 +164,7 @@ fn odd_names_of_files_are_told_and_steer_no_terminal() {
 }
 
 #[test]
-fn one_of_something_is_told_as_one() {
+fn one_of_something_is_reported_as_one() {
     let place = Place::new();
     let plan = place.run("plan small.toml ring --strands").code(0).out;
     assert!(

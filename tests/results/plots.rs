@@ -104,9 +104,9 @@ fn small_multiples_have_intervals_references_and_equal_scales() {
     assert_eq!(
         heights(&mut tab, 2),
         heights(&mut tab, 5),
-        "waist and hip stand on one scale"
+        "waist and hip have one scale"
     );
-    // λ of 1, 10, 100: the middle one stands in the middle.
+    // λ of 1, 10, 100: the middle one is in the middle.
     let xs = tab.value("[...new Set([...document.querySelectorAll('figure:nth-child(2) svg > text[text-anchor=middle]')].map((t) => t.textContent))]");
     assert_eq!(xs, serde_json::json!(["1", "10", "100"]));
     assert_eq!(

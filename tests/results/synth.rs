@@ -171,7 +171,7 @@ fn cameras_come_from_features_alone_though_the_subject_sways() {
         let [found, truth, placed] =
             ["calibrated", "ring", "placed"].map(|n| graph.node(n).unwrap());
         let (outcome, _) = run(&graph, place.path(), &[found, truth, placed]);
-        // Only masks show the stature that is given: until then nothing is said against it.
+        // Only masks show the stature that is given: until then nothing contradicts it.
         let placed = outcome.nodes[placed].as_ref().unwrap();
         assert_eq!(placed.warnings, Vec::<stage::Message>::new());
         let cameras = |node| {

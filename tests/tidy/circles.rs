@@ -1,4 +1,4 @@
-//! No file of a room, or of the engine, comes round to itself through what it imports.
+//! No file imports itself through the files of its crate.
 //!
 //! An arrow goes from a file to the one that defines what it names: by `use`, or by a path that begins with
 //! `crate`, `super`, `self` or a module that the file declares. A name that a module only passes on
@@ -32,11 +32,11 @@ fn circles(arrows: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<BTreeSet<Str
     round.map(circle).collect()
 }
 
-/// The arrows of each room, of the engine and of the product.
+/// The arrows of each stages' crate, of the engine and of the product.
 fn crates() -> Vec<BTreeMap<String, BTreeSet<String>>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let rooms = std::fs::read_dir(root.join("stages")).unwrap();
-    let mut crates: Vec<PathBuf> = rooms.map(|e| e.unwrap().path()).collect();
+    let stages = std::fs::read_dir(root.join("stages")).unwrap();
+    let mut crates: Vec<PathBuf> = stages.map(|e| e.unwrap().path()).collect();
     let more = ["engine", "engine/command", "study", ""];
     crates.extend(more.map(|c| root.join(c)));
     crates.sort();
@@ -61,7 +61,7 @@ fn no_file_comes_round_to_itself() {
 
 #[test]
 fn no_folder_comes_round_to_itself() {
-    // Files beside the folders stand for themselves; `a.rs` beside `a/` belongs to it.
+    // A file beside the folders counts as a folder; `a.rs` beside `a/` belongs to it.
     let folder = |file: &String| -> String {
         let (src, inner) = file.split_at(file.find("src/").unwrap() + "src/".len());
         let first = inner.split('/').next().unwrap();
@@ -72,9 +72,9 @@ fn no_folder_comes_round_to_itself() {
         let mut folders: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for (from, to) in &files {
             let own = folder(from);
-            let others = to.iter().map(folder).filter(|other| *other != own);
-            let others: Vec<String> = others.collect();
-            folders.entry(own).or_default().extend(others);
+            let imported = to.iter().map(folder).filter(|other| *other != own);
+            let imported: Vec<String> = imported.collect();
+            folders.entry(own).or_default().extend(imported);
         }
         found.extend(circles(&folders));
     }

@@ -91,7 +91,7 @@ fn folders_of_results_are_no_part_of_the_repository() {
 }
 
 #[test]
-fn a_release_removes_no_wheel_that_lies_beside_it() {
+fn a_release_removes_no_wheel_that_is_beside_it() {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("packaging/build");
     let text = std::fs::read_to_string(script).unwrap();
     let line = text.lines().find(|line| line.starts_with("rm -rf"));
@@ -117,7 +117,7 @@ fn a_release_removes_no_wheel_that_lies_beside_it() {
 }
 
 #[test]
-fn hosts_are_told_from_names_and_pages() {
+fn hosts_are_distinguished_from_names_and_pages() {
     let fetch = format!("curl -sSf https://{}{}/a/-/a-1.tgz", HOSTS[0].0, HOSTS[0].1);
     assert!(named(&fetch).is_some());
     for fine in [

@@ -52,8 +52,8 @@ const TESTS: &str = "Tests: ";
 fn tests_that_the_page_on_security_names_are_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let page = std::fs::read_to_string(root.join("docs/lab/security.md")).unwrap();
-    let told = page.lines().filter(|line| line.starts_with(TESTS));
-    let words = told.flat_map(|line| line.split('`').skip(1).step_by(2));
+    let promises = page.lines().filter(|line| line.starts_with(TESTS));
+    let words = promises.flat_map(|line| line.split('`').skip(1).step_by(2));
     let is_name = |name: &&str| name.bytes().all(|b| b.is_ascii_lowercase() || b == b'_');
     let mut names: Vec<&str> = words.filter(is_name).collect();
     assert!(names.len() > 20, "{names:?}");

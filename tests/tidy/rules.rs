@@ -43,7 +43,7 @@ fn breakers(rule: impl Fn(&Path, &str) -> bool) -> Vec<PathBuf> {
 }
 
 #[test]
-fn every_file_says_first_what_it_is() {
+fn every_file_begins_with_what_it_is() {
     assert_eq!(
         breakers(|_, text| !text.starts_with("//! ")),
         Vec::<PathBuf>::new()
@@ -140,26 +140,26 @@ fn nothing_is_called_util() {
 }
 
 #[test]
-fn no_room_knows_another_room() {
+fn no_stages_crate_knows_another() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("stages");
-    let allowed = |room: &str| match room {
+    let allowed = |name: &str| match name {
         "stage" | "proof" => &[][..],
         "shape" => &["stage"][..],
         _ => &["stage", "shape"][..],
     };
-    let rooms: Vec<String> = std::fs::read_dir(&root)
+    let crates: Vec<String> = std::fs::read_dir(&root)
         .unwrap()
         .map(|e| e.unwrap().file_name().into_string().unwrap())
         .collect();
-    for room in &rooms {
-        let manifest = std::fs::read_to_string(root.join(room).join("Cargo.toml")).unwrap();
+    for name in &crates {
+        let manifest = std::fs::read_to_string(root.join(name).join("Cargo.toml")).unwrap();
         let product = manifest.split("[dev-dependencies]").next().unwrap();
-        for other in rooms
+        for other in crates
             .iter()
-            .filter(|other| !allowed(room).contains(&other.as_str()))
+            .filter(|other| !allowed(name).contains(&other.as_str()))
         {
             let arrow = format!("\n{other}.workspace");
-            assert!(!product.contains(&arrow), "{room} must not know {other}");
+            assert!(!product.contains(&arrow), "{name} must not know {other}");
         }
     }
 }
@@ -170,9 +170,9 @@ fn the_engine_knows_the_contract_and_no_trade() {
     for part in ["engine", "engine/command"] {
         let manifest = std::fs::read_to_string(root.join(part).join("Cargo.toml")).unwrap();
         let product = manifest.split("[dev-dependencies]").next().unwrap();
-        let rooms = std::fs::read_dir(root.join("stages")).unwrap();
-        let rooms = rooms.map(|e| e.unwrap().file_name().into_string().unwrap());
-        let known = rooms.filter(|r| product.contains(&format!("\n{r}.workspace")));
+        let crates = std::fs::read_dir(root.join("stages")).unwrap();
+        let names = crates.map(|e| e.unwrap().file_name().into_string().unwrap());
+        let known = names.filter(|r| product.contains(&format!("\n{r}.workspace")));
         assert_eq!(known.collect::<Vec<_>>(), ["stage"], "of {part}");
     }
     // Words of the product as the engine would have to spell them to act on them.
@@ -201,12 +201,12 @@ fn the_engine_knows_the_contract_and_no_trade() {
 #[test]
 fn a_kernel_knows_no_stage() {
     let kernel = |path: &Path, text: &str| {
-        let room = path.starts_with("stages")
+        let step = path.starts_with("stages")
             && !path.starts_with("stages/stage")
             && !path.starts_with("stages/shape")
             && path.iter().any(|part| part == "src");
         let product = text.split("#[cfg(test)]").next().unwrap();
-        room && !product.contains("impl Stage for")
+        step && !product.contains("impl Stage for")
             && ["Ctx", "Stop"].iter().any(|word| {
                 product
                     .split(|c: char| !c.is_alphanumeric() && c != '_')
@@ -217,8 +217,8 @@ fn a_kernel_knows_no_stage() {
 }
 
 #[test]
-fn only_the_catalog_names_rooms() {
-    let rooms = [
+fn only_the_catalog_names_the_crates_of_stages() {
+    let crates = [
         "capture",
         "pose",
         "silhouette",
@@ -231,7 +231,7 @@ fn only_the_catalog_names_rooms() {
     let names = |path: &Path, text: &str| {
         path.starts_with("src")
             && path != Path::new("src/catalog.rs")
-            && rooms.iter().any(|room| text.contains(&format!("{room}::")))
+            && crates.iter().any(|c| text.contains(&format!("{c}::")))
     };
     assert_eq!(breakers(names), Vec::<PathBuf>::new());
 }
@@ -253,7 +253,7 @@ fn every_case_of_the_engine_has_a_test_that_is_there() {
             .map_or(row, |r| r.1);
         let mut tests = row.split('`').skip(1).step_by(2).peekable();
         assert!(tests.peek().is_some(), "{row}");
-        // Those in Python are held by `python/tests/test_store.py`.
+        // Those in Python are in `python/tests/test_store.py`.
         for test in tests.filter(|t| !t.contains(' ') && !t.starts_with("test_")) {
             let name = format!("\nfn {test}() {{");
             let is_test = |text: &str| {
@@ -269,8 +269,8 @@ fn every_case_of_the_engine_has_a_test_that_is_there() {
     }
 }
 
-/// The names of metrics that a file of a room tells, as they stand there.
-fn metrics_told(text: &str) -> Vec<&str> {
+/// The names of metrics that a file of a stage reports, as they are written there.
+fn metrics_reported(text: &str) -> Vec<&str> {
     let calls = text.split(".metric(").skip(1);
     let first = calls.map(|call| call.trim_start().trim_start_matches("&format!("));
     let literal = first.filter_map(|call| call.strip_prefix('"')?.split('"').next());
@@ -278,16 +278,16 @@ fn metrics_told(text: &str) -> Vec<&str> {
 }
 
 #[test]
-fn every_metric_that_a_stage_tells_is_declared() {
+fn every_metric_that_a_stage_reports_is_declared() {
     let mut count = 0;
     let sources = sources();
-    let rooms = sources
+    let stages = sources
         .iter()
         .filter(|(path, _)| path.starts_with("stages") && !path.starts_with("stages/stage"));
-    for (path, text) in rooms {
+    for (path, text) in stages {
         let declared = text.split("const METRICS").nth(1).unwrap_or_default();
         let declared: Vec<&str> = declared.split(';').next().unwrap().split('"').collect();
-        for name in metrics_told(text) {
+        for name in metrics_reported(text) {
             let fits = match name.contains('{') {
                 true => declared.iter().any(|d| d.contains('*')),
                 false => declared.contains(&name),
