@@ -41,16 +41,16 @@ fn disc(n: usize) -> Grid {
     grid
 }
 
-/// A room of soft squares, and a body of another colour before it.
+/// A background of soft squares, and a body of another colour before it.
 fn photo() -> (Rgb, Rgb) {
     let (w, h) = (1600, 2400);
-    let mut room = Rgb::filled(w, h, [0; 3]);
-    for (i, p) in room.data.iter_mut().enumerate() {
+    let mut plate = Rgb::filled(w, h, [0; 3]);
+    for (i, p) in plate.data.iter_mut().enumerate() {
         let square = thrown((i % w / 150) * 31 + i / w / 150 * 977);
         *p = [0, 1, 2]
             .map(|c| (70 + (square + 40 * c) % 110 + thrown(i * 3 + c as usize) % 4) as u8);
     }
-    let mut photo = room.clone();
+    let mut photo = plate.clone();
     for (i, p) in photo.data.iter_mut().enumerate() {
         let (x, y) = ((i % w) as f64 - 800.0, (i / w) as f64 - 1200.0);
         if (x / 300.0).powi(2) + (y / 950.0).powi(2) < 1.0 {
@@ -58,7 +58,7 @@ fn photo() -> (Rgb, Rgb) {
             *p = [205.0, 165.0, 140.0].map(|c: f64| (c + shade) as u8 + (thrown(i + 7) % 5) as u8);
         }
     }
-    (photo, room)
+    (photo, plate)
 }
 
 fn least<T>(times: usize, mut run: impl FnMut() -> T) -> (f64, T) {
@@ -86,14 +86,14 @@ fn main() {
         }
         println!("least cut of {n}²: {best:7.1} ms, flow {flow}");
     }
-    let (photo, room) = photo();
+    let (photo, plate) = photo();
     let settings = Settings {
         gamma: 40.0,
         rounds: 2,
         clusters: 6,
         thinner: 0.0,
     };
-    let without = Backdrop::whole(room);
+    let without = Backdrop::whole(plate);
     let one = || {
         let ready = prepare(&photo, &without, None, 800, 150.0);
         let (sides, gmm): (Image<bool>, _) = coarse(&ready, &settings).expect("a body");

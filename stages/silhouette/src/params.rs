@@ -35,7 +35,7 @@ stage::params! {
         coherence: bool = true,
         /// A rectangle that holds the body on every photo, [left, top, right, bottom]; beyond it
         /// nothing is body. With it photos are cut by their colours alone where there is neither a
-        /// plate nor anything that stands still. Empty for none.
+        /// plate nor anything still. Empty for none.
         box_px: Vec<f64> = vec![],
     }
 }

@@ -1,7 +1,7 @@
-//! Photos brought to one place and one exposure before anything is said to stand still.
+//! Photos brought to one place and one exposure before still pixels are looked for.
 //!
 //! A stabiliser shifts each photo by a part of a pixel or more, and automatic exposure changes its
-//! light: held against each other as they are, nothing in them stands still.
+//! light: compared as they are, nothing in them is still.
 
 use crate::align::exposure::exposure_beyond;
 use rayon::prelude::*;
@@ -26,7 +26,7 @@ pub(crate) fn on_plate(photo: &Rgb, plate: &Gray, factor: usize) -> Alignment {
 pub(crate) fn on_each_other(photos: &[Rgb]) -> Vec<Placed> {
     let grays: Vec<Gray> = photos.par_iter().map(Rgb::gray).collect();
     let placed = registered(&grays).0.into_iter();
-    // What shares too little stays where it is, and hardly anything will stand still.
+    // What shares too little stays where it is, and hardly anything will be still.
     placed.map(|p| p.unwrap_or(Placed::SAME)).collect()
 }
 
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn photos_of_a_phone_show_the_room_alike_once_they_are_brought_together() {
+    fn photos_of_a_phone_show_the_background_alike_once_they_are_aligned() {
         let (_, photos, _) = turn();
         let placed = on_each_other(&photos);
         let there: Vec<Rgb> = photos
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn photos_that_lie_and_are_exposed_alike_stay_as_they_are() {
+    fn photos_of_one_place_and_exposure_stay_as_they_are() {
         let (wall, ..) = turn();
         let mut dice = proof::Dice(3);
         let mut noisy = || wall.map(|p| p.map(|v| (f64::from(v) + dice.normal()).round() as u8));

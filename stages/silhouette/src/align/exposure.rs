@@ -1,6 +1,6 @@
 //! A plate that was exposed otherwise than the photo: its levels brought to the photo's.
 //!
-//! Most of what both show is the same room, so of all ratios of their levels one is by far the most
+//! Most of what both show is the same background, so of all ratios of their levels one is by far the most
 //! frequent: that of the exposures, channel by channel (a white balance changes, too). Around it the
 //! curve of the camera follows from the pixels that keep to it.
 
@@ -53,7 +53,7 @@ pub(crate) fn exposure_beyond(photo: &Rgb, plate: &Rgb, same: f32) -> Option<Ton
     (!alike).then_some(levels)
 }
 
-/// How often each level of the photo stands where the plate has each of its levels: some hundred
+/// How often each level of the photo is where the plate has each of its levels: some hundred
 /// thousand pixels are far fewer pairs.
 struct Pairs(Vec<u32>);
 

@@ -22,7 +22,7 @@ pub enum RectangleError {
         "`box_px` {stated:?} is no part of a photo of {width}×{height} pixels: left must be less than right, top less than bottom, and some of the photo must be left over around it"
     )]
     Place {
-        /// What was said.
+        /// The numbers as given.
         stated: Vec<f64>,
         /// The photo's width.
         width: u32,
@@ -32,7 +32,7 @@ pub enum RectangleError {
 }
 
 impl Rectangle {
-    /// From `[left, top, right, bottom]`, on a photo of a size; `None` if nothing was said.
+    /// From `[left, top, right, bottom]`, on a photo of a size; `None` if nothing was given.
     ///
     /// # Errors
     ///

@@ -17,7 +17,7 @@ stage::params! {
         coarse_px: u32 = 800,
         /// A rectangle that holds the body on every photo, [left, top, right, bottom]; beyond it
         /// nothing is body. With it photos are cut by their colours alone where there is neither a
-        /// plate nor anything that stands still. Empty for none.
+        /// plate nor anything still. Empty for none.
         box_px: Vec<f64> = vec![],
     }
 }

@@ -12,7 +12,7 @@ const REACH: usize = 4;
 /// Pixels this far from the border show one side only. \[px\]
 const MIXED: i32 = 2;
 
-/// Coverage of every pixel: 0 or 255 but at the border, where it is what colours say.
+/// Coverage of every pixel: 0 or 255 but at the border, where it follows from colours.
 pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
     let near = near_border(sides);
     let mut mask = smoothed(sides, &near);
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn the_border_lies_where_the_colours_mix_though_the_cut_is_a_pixel_wide() {
+    fn the_border_is_where_the_colours_mix_though_the_cut_is_a_pixel_wide() {
         let mut dice = proof::Dice(8);
         let (radius, noise) = (40.0, Noise::even(2.0));
         let photo = disc(radius, 190.0, 70.0, &mut dice);

@@ -148,7 +148,7 @@ impl Prices {
     }
 }
 
-/// As [`least_cut`], by what speaks for the body at each pixel of the window: ln p(body) − ln p(room).
+/// As [`least_cut`], by what speaks for the body at each pixel of the window: ln p(body) − ln p(background).
 pub(crate) fn cut_by_odds(
     photo: &Rgb,
     window: &Window,

@@ -6,10 +6,10 @@
 //! other photos lost is just beside it, a reflection farther off.
 //!
 //! A gap between the legs is one event, and few photos can see it: those from the sides look through the legs, so that their
-//! body is no evidence against it. The photo from the other side can. Where it shows background within a hull that all
-//! others leave, either it lost a piece, or both look through a gap: such pixels are classes of their own.
+//! body is no evidence against it. The photo from the other side can. Where it shows background within the hull of all
+//! other photos, either it lost a piece, or both look through a gap: such pixels are classes of their own.
 //!
-//! And how much a photo may contradict the others is counted, too: how often it shows, where all of them are sure of the
+//! And how much a photo may contradict the rest is counted, too: how often it shows, where all of them are sure of the
 //! background, what its scene did not foresee.
 
 use crate::cut::least_cut::Known;

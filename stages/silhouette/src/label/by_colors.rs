@@ -36,7 +36,7 @@ pub(crate) fn window(image: &Rgb) -> Window {
 
 /// The subject by colours alone: those that are known to be background's; elsewhere, what
 /// they explain worse than the rest does is body, and both learn from the cut in turns. `None` where
-/// nothing stands out.
+/// nothing is explained worse.
 pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Option<ByColors> {
     let colors = |of: &[bool], side: bool| -> Vec<[u8; 3]> {
         let on = of.iter().zip(&small.data).filter(|(b, _)| **b == side);

@@ -24,7 +24,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// As the user says.
+    /// By the user's params.
     pub(crate) fn of(p: &CutParams) -> Self {
         Settings {
             gamma: p.gamma,

@@ -1,4 +1,4 @@
-//! The cells around the body, and how many photos say of each that it is none of it.
+//! The cells around the body, and how many photos show each of them as background.
 
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -77,7 +77,7 @@ fn along<'a>(row: impl Iterator<Item = &'a mut u8>) {
 /// A mask with its photo and the camera at its size.
 pub(crate) type View<'a> = (PhotoId, &'a Mask, Camera);
 
-/// A block around the body, with how many masks say of each cell that it is none of it.
+/// A block around the body, with how many masks have each cell outside.
 pub(crate) struct Together<'a> {
     pub(crate) views: Vec<View<'a>>,
     pub(crate) block: Block,
@@ -112,7 +112,7 @@ impl<'a> Together<'a> {
     }
 }
 
-/// How many masks say that a point is none of the body, at most one more than may.
+/// How many masks have a point outside, at most one more than may.
 fn against(views: &[View<'_>], x: &Point3<f64>) -> usize {
     let (mut seen, mut against) = (0, 0);
     for (_, mask, camera) in views {

@@ -1,4 +1,4 @@
-//! Body or background, reduced photo by reduced photo, with what all say together.
+//! Body or background, reduced photo by reduced photo, by the evidence of all together.
 
 pub(crate) mod between_photos;
 pub(crate) mod by_colors;

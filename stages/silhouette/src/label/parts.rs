@@ -62,7 +62,7 @@ struct Parts {
 impl Parts {
     fn of(sides: &Image<bool>, of: bool) -> Self {
         let mut runs: Vec<Run> = Vec::new();
-        // Which run stands for each run's part so far: never a later one.
+        // The run that represents each run's part so far: never a later one.
         let mut heads: Vec<usize> = Vec::new();
         let mut above = 0..0;
         for y in 0..sides.height {

@@ -140,7 +140,7 @@ fn one_label(label: Labelled) -> Labels {
     }
 }
 
-/// By the evidence of a photo, with what all photos say together.
+/// By the evidence of a photo, and of all photos together.
 fn with_all(
     id: PhotoId,
     evidence: &PhotoEvidence,

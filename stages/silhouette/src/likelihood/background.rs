@@ -15,8 +15,8 @@ pub(crate) const CAP: f32 = 24.0;
 const BOUNCE: [f32; 2] = [1.0, 2.0];
 /// What the noise grows by where the disk is all dark. \[levels\]
 const THROWN: f32 = 10.0;
-/// Share of a room's neighbourhoods whose light the subject changes, by a shadow or by what it throws back.
-/// Set by hand: in renders of three rooms none was, in real ones some are.
+/// Share of a background's neighbourhoods whose light the subject changes, by a shadow or by what it throws back.
+/// Set by hand: in renders of three backgrounds none was, in photos some are.
 const SHADED_SHARE: f32 = 0.1;
 
 /// -ln p(pixel | background) of the pixels of a rectangle (left, top, width, height), row-major, up to
@@ -56,7 +56,7 @@ pub(crate) struct Likeness<'a> {
 }
 
 impl Likeness<'_> {
-    /// As [`background_cost`], of the pixels that are wanted; of no meaning at the others.
+    /// As [`background_cost`], of the pixels that are wanted; of no meaning elsewhere.
     pub(crate) fn cost_where(
         &self,
         [left, top, width, height]: [usize; 4],
@@ -126,7 +126,7 @@ pub(crate) fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) 
     (towards(lo), towards(hi))
 }
 
-/// The cost of a change of a room's light whose spread is `sigma`, or [`SHADED_LIGHT`] where the subject changes it.
+/// The cost of a change of the background's light with spread `sigma`, or [`SHADED_LIGHT`] where the subject changes it.
 fn price_of_light(change: f32, sigma: f32) -> f32 {
     let half_square = |sigma: f32| (change / sigma) * (change / sigma) / 2.0;
     let seldom = libm::logf((1.0 - SHADED_SHARE) / SHADED_SHARE * SHADED_LIGHT / sigma);
@@ -136,7 +136,7 @@ fn price_of_light(change: f32, sigma: f32) -> f32 {
     }
 }
 
-/// The cost of a colour against a box of colours, as it is or in a light whose spread in a room is `spread`.
+/// The cost of a colour against a box of colours, as it is or in a light whose spread on a background is `spread`.
 fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32, spread: f32) -> f32 {
     let beyond = |light: f32| -> f32 {
         (0..3)

@@ -14,7 +14,7 @@ const ELSEWHERE: f32 = 1.0;
 const CLUSTERS: usize = 12;
 /// Where on its radius the disk is mostly free of feet.
 const RIM_FROM: f64 = 0.6;
-/// A pixel that is off the room by so much in all channels together is not the room. \[levels\]
+/// A pixel that is off the background by so much in all channels together is not the background. \[levels\]
 const OFF: u32 = 90;
 
 /// What a colour costs as the disk's where nobody saw it: as one of its colours elsewhere, in light
@@ -41,7 +41,7 @@ pub(crate) fn mixture(colors: &[[u8; 3]]) -> Option<Gmm> {
     Gmm::fit(&some, CLUSTERS)
 }
 
-/// The colours of what is surely not the room.
+/// The colours of what is surely not the background.
 pub(crate) fn body_colors(shots: &[Shot], room: &Backdrop, radius: f64) -> Option<Gmm> {
     let mut colors = Vec::new();
     for shot in shots {
@@ -79,7 +79,7 @@ pub(crate) fn on_the_disk(
     let Some(body) = body.filter(|_| radius > 0.0) else {
         return open;
     };
-    // Feet stand in the middle, and legs hide what is behind them in some photos only.
+    // Feet are in the middle, and legs hide what is behind them in some photos only.
     let outer = scene(shots, room.clone(), radius, &open).disk;
     let Some(disk) = disk_colors(&outer, RIM_FROM) else {
         return open;

@@ -127,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_heaps_of_colours_are_told_apart() {
+    fn two_heaps_of_colours_are_distinguished() {
         let mut dice = proof::Dice(5);
         let mut around =
             |mean: [f64; 3]| mean.map(|m| (m + 6.0 * dice.normal()).clamp(0.0, 255.0) as u8);

@@ -1,10 +1,10 @@
-//! What the background is at each pixel of a photo: the room, the floor, or the disk.
+//! What the background is at each pixel of a photo: wall, floor, or disk.
 
 use crate::likelihood::floor::Floor;
 use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3};
 
-/// What the background is at a pixel, which says how light may change there.
+/// What the background is at a pixel, which decides how light may change there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ground {
     /// Walls: the subject dims or brightens them a little.
@@ -129,7 +129,7 @@ mod tests {
     use shape::{Camera, Intrinsics, Pose};
 
     #[test]
-    fn blocks_say_the_same_as_pixels() {
+    fn blocks_are_what_their_pixels_are() {
         // From the height of a chest, and so low that the disk is a few pixels thin.
         for (height, down) in [(1100.0, 0.35), (12.0, 0.004)] {
             let mut lens = Intrinsics::simple(160, 240, 300.0);

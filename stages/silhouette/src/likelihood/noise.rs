@@ -8,12 +8,12 @@ pub(crate) const FLAT: f32 = 4.5;
 
 /// Bounds of the noise that is believed: rounding, and a photo that shows nothing. \[levels\]
 const BELIEVED: (f32, f32) = (1.0, 40.0);
-/// Some neighbourhoods are noisier than others: the median's deviation is taken so much larger.
+/// Some neighbourhoods are noisier than the median, whose deviation is taken so much larger.
 const UNEVEN: f32 = 1.3;
 /// Least spread of a neighbourhood's light: half a level of a middle grey.
 const LEAST_LIGHT: f32 = 0.5 / 128.0;
-/// Spread of a room's light where the subject changes it, and where nothing is known of it. Set by hand, for all of the
-/// light before it was measured.
+/// Spread of the background's light where the subject changes it, and where nothing is known of it. Set by hand, for all
+/// of the light before it was measured.
 pub(crate) const SHADED_LIGHT: f32 = 0.04;
 /// By how much less the mean of a neighbourhood is noisy than a pixel, at least. Set by hand, for all photos before it
 /// was measured.
@@ -31,7 +31,7 @@ pub struct Noise {
     /// Of the means of neighbourhoods, on what does not move and on the disk: JPEG's noise is alike in neighbours,
     /// a sensor's is not. \[levels\]
     pub means: [f32; 2],
-    /// Of the light of the room's neighbourhoods, as a ratio; at most 4 %.
+    /// Of the light of the walls' neighbourhoods, as a ratio; at most 4 %.
     pub light: f32,
 }
 
@@ -53,7 +53,7 @@ impl Noise {
         }
     }
 
-    /// By how much the density of the background, which [`FLAT`] stands for, is thinner for noise: three channels
+    /// By how much the density of the background, of which [`FLAT`] is the cost, is thinner for noise: three channels
     /// whose normal density is e^-FLAT where it is greatest have a standard deviation of 1.8 levels,
     /// FLAT = 3/2 ln 2π + 3 ln σ. Mixtures of the body's colours widen with noise by themselves. \[nats\]
     pub(crate) fn thinner(&self) -> f64 {
@@ -94,7 +94,7 @@ struct Spread {
     /// Of their colours when both are equally bright, for shadows are no noise: of what does not move, and of
     /// the disk. \[levels\]
     colors: [Option<f32>; 2],
-    /// Of the ratio of their light, in the room.
+    /// Of the ratio of their light, on walls.
     light: Option<f32>,
 }
 

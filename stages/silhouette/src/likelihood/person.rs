@@ -84,7 +84,7 @@ fn calibrated(found: &Found, at: Point2<f64>) -> f32 {
     found.log_odds(at).map_or(0.0, |odds| base + slope * odds)
 }
 
-/// What a pixel costs as background and as body, with what a person's sense says of it: [log-odds](Sense)
+/// What a pixel costs as background and as body, with a person's sense of it: [log-odds](Sense)
 /// are added to the side that they speak against. \[nats\]
 pub(crate) fn with_person(background: f64, body: f64, log_odds: f32) -> (f64, f64) {
     let odds = f64::from(log_odds);

@@ -1,6 +1,6 @@
 //! What a photo would show without the subject: the plate, with the disk turned as it was.
 //!
-//! What is around the disk stands still, so there the plate is the background, pixel for pixel. The
+//! What is around the disk is still, so there the plate is the background, pixel for pixel. The
 //! disk turns: a pixel that sees the disk's top sees the same point of the disk elsewhere on the
 //! plate. Where the disk stood on the plate is found by trying all angles.
 
@@ -62,7 +62,7 @@ pub(crate) fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64)
     for _ in 0..3 {
         let count = (reach / step).round() as i32;
         let angles = (-count..=count).map(|k| (middle + f64::from(k) * step).to_radians());
-        // A few places tell which angle to begin with, so that most others are soon too far.
+        // A few places tell which angle to begin with, so that most other angles are soon too far.
         let few = |angle: f64| {
             let there = turned(camera, angle);
             places

@@ -47,7 +47,7 @@ pub(crate) struct Views<'a> {
     pub(crate) radius: f64,
 }
 
-/// What stands still and the disk's map at full size: means of the photos that show them.
+/// The still background and the disk's map at full size: means of the photos that show them.
 pub(crate) fn at_full_size<E: From<PhotoError>>(
     views: &Views<'_>,
     check: impl Fn() -> Result<(), E>,

@@ -66,7 +66,7 @@ impl Means {
         }
     }
 
-    /// What stands still, and the disk's map where there is a disk: how many photos show each pixel.
+    /// The still background, and the disk's map where there is a disk: how many photos show each pixel.
     pub(crate) fn seen(self) -> (Seen, Option<Seen>) {
         let settled = |sums: Vec<([u16; 3], u8)>, width: usize| {
             let height = sums.len() / width;

@@ -52,7 +52,7 @@ impl Field {
     /// Choices of least cost, nearly: sequential tree-reweighted messages (Kolmogorov 2006).
     pub(crate) fn least(&self) -> Vec<usize> {
         let count = self.width * self.height;
-        // What the neighbour on each side says to a pixel.
+        // The message to a pixel from the neighbour on each side.
         let mut stated: Vec<[Costs; 4]> = vec![[[0.0; CHOICES]; 4]; count];
         for _ in 0..PASSES {
             (0..count).for_each(|i| self.pass(&mut stated, i, [2, 3]));

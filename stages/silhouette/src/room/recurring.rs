@@ -1,9 +1,9 @@
 //! What comes again to the level is background: patches that photos of a turn share.
 //!
-//! The room stands still, so where two photos show it their patches differ by noise alone. A body
+//! The background is still, so where two photos show it their patches differ by noise alone. A body
 //! that has turned between them does not look the same to the level, be it ever so plain: its shade
-//! changes. So patches are held against each other pair by pair, and the photos that agree with most
-//! others show the background.
+//! changes. So patches are compared pair by pair, and the photos that agree with most of
+//! the rest show the background.
 
 use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
@@ -24,7 +24,7 @@ const BLURRED: f32 = 0.06;
 /// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those
 /// that agree do so barely, a body looks nearly alike from several sides: the crown of a head.
 const ALIKE: f32 = 0.45;
-/// Photos that each is held against, at most: more of them tell nothing new.
+/// Photos that each is compared with, at most: more of them add nothing.
 const PARTNERS: usize = 9;
 
 /// What recurs at a pixel, and which photos agree on it.
@@ -105,7 +105,7 @@ pub(crate) fn contrast(photo: &Rgb) -> Vec<f32> {
         .collect()
 }
 
-/// Pairs of photos that are held against each other.
+/// Pairs of photos that are compared.
 pub(crate) fn pairs(count: usize) -> Vec<(usize, usize)> {
     let half = count / 2;
     let mut steps: Vec<usize> = (1..=PARTNERS.min(half))
@@ -142,7 +142,7 @@ impl Unlike {
             values.get(values.len() * 2 / 5).copied().unwrap_or(0.0)
         };
         let noise = middle(some().map(|i| far[i]).collect()).clamp(NOISE.0, NOISE.1);
-        // Some photos are less sharp than others.
+        // Some photos are less sharp.
         let edges = some().filter(|i| steep(*i) > STEEP);
         let blur = middle(
             edges
@@ -160,7 +160,7 @@ impl Unlike {
 }
 
 /// What photos that share it pixel for pixel agree on. `hidden` names the photos (first) and pixels
-/// (second) that cannot show it; `least` is the agreement with others, each of which gives 1 at most,
+/// (second) that cannot show it; `least` is the agreement with other photos, each of which gives 1 at most,
 /// that makes a pixel seen.
 pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> Recurring {
     let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
@@ -190,7 +190,7 @@ pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> 
     Recurring { backdrop, agrees }
 }
 
-/// Photos held against each other.
+/// Photos compared with each other.
 struct Pairwise {
     photos: usize,
     pairs: Vec<(usize, usize)>,

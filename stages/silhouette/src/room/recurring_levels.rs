@@ -1,7 +1,7 @@
-//! Levels that recur at a pixel, each with the photos that show it: one of them may be the room.
+//! Levels that recur at a pixel, each with the photos that show it: one of them may be the background.
 //!
-//! Photos that show the room differ by noise alone. A plain part of a body may look alike in most photos,
-//! and the room show in few; so every level that recurs is kept, up to [`MODES`] a pixel.
+//! Photos that show the background differ by noise alone. A plain part of a body may look alike in most photos,
+//! and the background show in few; so every level that recurs is kept, up to [`MODES`] a pixel.
 
 use crate::room::message_passing::CHOICES;
 use crate::room::recurring::{REACH, Unlike, contrast, differences, pairs};
@@ -9,7 +9,7 @@ use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
-/// Levels that are kept of a pixel; that none is the room is a choice, too.
+/// Levels that are kept of a pixel; that none is the background is a choice, too.
 pub(crate) const MODES: usize = CHOICES - 1;
 /// What differs by so many times more than the same may is something else.
 const APART: f32 = 3.0;
@@ -41,7 +41,7 @@ pub(crate) struct Modes {
 }
 
 impl Modes {
-    /// The levels that recur in photos which share the room pixel for pixel.
+    /// The levels that recur in photos which share the background pixel for pixel.
     pub(crate) fn of(photos: &[Rgb]) -> Self {
         let (width, height) = photos.first().map_or((0, 0), |p| (p.width, p.height));
         let words = photos.len().div_ceil(64);
@@ -98,7 +98,7 @@ impl Modes {
         shows.iter().map(|word| word.count_ones()).sum()
     }
 
-    /// The room, once it is known which mode of a pixel it is, if any.
+    /// The background, once it is known which mode of a pixel it is, if any.
     pub(crate) fn room(&self, chosen: &[Option<usize>]) -> Backdrop {
         let image = |data| Image {
             width: self.width,
@@ -142,7 +142,7 @@ fn written(
     sum.map(|s| ((s + count / 2) / count.max(1)) as u8)
 }
 
-/// Two photos held against each other, pixel by pixel: a patch that holds the pixel is the same, and so
+/// Two photos compared pixel by pixel: a patch that holds the pixel is the same, and so
 /// is the pixel itself. Beside an outline that is a patch off to one side.
 fn held([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Agreement> {
     let far = differences(a, b);
@@ -178,9 +178,9 @@ fn least_around(values: &[f32], wide: usize) -> Vec<f32> {
         .collect()
 }
 
-/// What all pairs of photos say of a pixel.
+/// What all pairs of photos show of a pixel.
 struct Pixel<'a> {
-    /// Of each photo: those that it is held against, and as which pair.
+    /// Of each photo: those that it is compared with, and as which pair.
     partners: &'a [Vec<(usize, usize)>],
     agreement: &'a [Vec<Agreement>],
     i: usize,

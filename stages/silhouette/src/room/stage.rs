@@ -47,7 +47,7 @@ stage::inputs! {
 /// `silhouette.room`: photos, aligned, scene → scene.
 pub struct Room;
 
-/// Least share of the photos that must stand still. \[%\]
+/// Least share of the photos that must be still. \[%\]
 const MIN_STILL_PERCENT: f64 = 15.0;
 
 /// A patch that nothing vouches for is named when it takes more of its mask than this. \[%\]

@@ -1,6 +1,6 @@
-//! The background out of the photos themselves: the room stands still while the body turns.
+//! The background out of the photos themselves: it is still while the body turns.
 //!
-//! Pixels that never change are the room's, unless what changes encloses them.
+//! Pixels that never change are background, unless what changes encloses them.
 
 use rayon::prelude::*;
 use shape::{Image, Rgb};
@@ -30,7 +30,7 @@ const SAME: u8 = 4;
 /// And by so much of the contrast around that all photos share: cameras tremble, and some are less sharp.
 const TREMBLE: f32 = 0.15;
 
-/// How many of a pixel's colours are alike: those around the one that has most others near.
+/// How many of a pixel's colours are alike: those around the one that has the most of them near.
 fn alike(colors: &[[u8; 3]], same: u8) -> usize {
     let near = |a: &[u8; 3], b: &[u8; 3]| (0..3).all(|c| a[c].abs_diff(b[c]) <= same);
     let fans = |a: &[u8; 3]| colors.iter().filter(|b| near(a, b)).count();
@@ -87,7 +87,7 @@ fn contrast(photo: &Rgb) -> Vec<u8> {
 /// Pixels that all photos but one show alike; those that the moving ones enclose apart: what never
 /// changes amid the turn may be a plain body that covers it all the time.
 ///
-/// Returns for each pixel whether it stands still as background (`Some(true)`), is enclosed by the
+/// Returns for each pixel whether it is still background (`Some(true)`), is enclosed by the
 /// turn and may always show the body (`Some(false)`), or changes.
 pub(crate) fn still(photos: &[Rgb]) -> Image<Option<bool>> {
     let fixed = fixed(photos);

@@ -65,7 +65,7 @@ mod tests {
     use shape::{Intrinsics, Pose};
 
     #[test]
-    fn what_is_laid_out_lies_where_it_was() {
+    fn what_is_laid_out_is_where_it_was() {
         let rotation = Rotation3::from_euler_angles(2.0, 0.0, 0.0);
         let camera = Camera {
             lens: Intrinsics::simple(200, 160, 300.0),

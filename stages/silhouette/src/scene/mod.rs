@@ -1,4 +1,4 @@
-//! The empty scene: what stands still, and the top of the disk, which turns.
+//! The empty scene: what is still, and the top of the disk, which turns.
 
 pub(crate) mod backdrop;
 pub(crate) mod disk_map;

@@ -1,4 +1,4 @@
-//! The empty scene as it is laid out: the room, which stands still, and the disk, which turns.
+//! The empty scene as it is laid out: the still background, and the disk, which turns.
 
 use crate::scene::backdrop::{Backdrop, middle};
 use crate::scene::disk_map::{laid_out, lay_into, point};
@@ -18,17 +18,17 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// Whether a pixel looks at the disk's top, or what stands on it.
+    /// Whether a pixel looks at the disk's top, or what is on it.
     pub(crate) fn shows_disk(&self, i: usize, radius: f64) -> bool {
         let at = Point2::new((i % self.small.width) as f64, (i / self.small.width) as f64);
         radius > 0.0 && on_disk(&self.camera, at, radius).is_some()
     }
 }
 
-/// The room, which stands still, and the disk, which turns.
+/// The still background, and the disk, which turns.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scene {
-    /// The room as all photos show it.
+    /// The still background as all photos show it.
     pub room: Backdrop,
     /// The map of the disk's top.
     pub disk: Backdrop,
@@ -37,7 +37,7 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    /// What one camera would see. Where nobody saw it, the photo itself stands in, so that it tells nothing.
+    /// What one camera would see. Where nobody saw it, it is the photo itself, which is no evidence.
     pub(crate) fn behind(&self, photo: &Rgb, camera: &Camera) -> Backdrop {
         let mut behind = self.room.clone();
         if self.radius > 0.0 {

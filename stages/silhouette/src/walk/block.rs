@@ -85,7 +85,7 @@ impl Block {
         height: usize,
     ) -> Image<bool> {
         let mut shown = Image::filled(width, height, false);
-        // A cell within others shows nothing that they don't.
+        // A cell with the subject all around shows nothing that its neighbours don't.
         let bare = |i: &usize| {
             let mut beside = 0;
             let covered = self.beside(*i).all(|j| {

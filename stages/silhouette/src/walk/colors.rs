@@ -1,5 +1,5 @@
-//! Colours of the subject and of the room on one photo, by bands of rows: behind a head there is
-//! another room than behind feet.
+//! Colours of the subject and of the background on one photo, by bands of rows: behind a head there is
+//! another background than behind feet.
 
 use crate::likelihood::gmm::Gmm;
 use rayon::prelude::*;
@@ -9,9 +9,9 @@ use shape::{Image, Rgb};
 const ANY: f64 = 16.6;
 /// What a colour costs that the subject has not been seen to have.
 const STRANGE_BODY: f64 = ANY + 1.2;
-/// What a colour costs that the room has nowhere: most of the room is in view beside the subject, so
+/// What a colour costs that the background has nowhere: most of it is in view beside the subject, so
 /// that such a colour is rather the subject's.
-const STRANGE_ROOM: f64 = ANY + 3.2;
+const UNSEEN_BEHIND: f64 = ANY + 3.2;
 /// How many bands; each learns from half of its height above and below, too.
 const BANDS: usize = 4;
 /// So many samples tell a mixture; with fewer than `FEW` a band takes those of the whole photo.
@@ -24,7 +24,7 @@ pub(crate) type Samples = Vec<(u32, [u8; 3])>;
 /// The mixtures of a photo.
 #[derive(Debug, Clone)]
 pub(crate) struct Colors {
-    /// The subject's and the room's, by band.
+    /// The subject's and the background's, by band.
     bands: Vec<[Gmm; 2]>,
     /// Rows of a band.
     rows: f64,
@@ -46,7 +46,7 @@ impl Colors {
     /// Fits all mixtures of a photo of so many rows. `None` without colours of either side.
     pub(crate) fn fit(
         body: &Samples,
-        room: &Samples,
+        background: &Samples,
         height: usize,
         clusters: usize,
     ) -> Option<Colors> {
@@ -54,18 +54,21 @@ impl Colors {
         let one = |b: usize| {
             let (from, to) = ((b as f64 - 0.5) * rows, (b as f64 + 1.5) * rows);
             let body = mixture(body, from, to, clusters)?;
-            Some([body, mixture(room, from, to, clusters + clusters / 2)?])
+            Some([
+                body,
+                mixture(background, from, to, clusters + clusters / 2)?,
+            ])
         };
         let bands = (0..BANDS).map(one).collect::<Option<Vec<_>>>()?;
         Some(Colors { bands, rows })
     }
 
-    /// ln p(colour | body) − ln p(colour | room) of a colour on a row.
+    /// ln p(colour | body) − ln p(colour | background) of a colour on a row.
     pub(crate) fn favour(&self, color: [u8; 3], row: f64) -> f32 {
         let band = ((row / self.rows).max(0.0) as usize).min(BANDS - 1);
-        let [body, room] = &self.bands[band];
+        let [body, background] = &self.bands[band];
         let body = (body.cost(color) + 0.36).min(STRANGE_BODY);
-        (room.cost(color).min(STRANGE_ROOM) - body) as f32
+        (background.cost(color).min(UNSEEN_BEHIND) - body) as f32
     }
 
     /// The same of every pixel, means of 3 × 3.

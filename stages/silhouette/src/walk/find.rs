@@ -83,13 +83,13 @@ pub(crate) fn find(
 
 /// Fewest photos that must see a cell, as a share.
 const CLOSED: f64 = 0.3;
-/// What one ray to a feature behind a cell says against it, and how many count.
+/// The evidence against a cell of one ray to a feature behind it, and how many count.
 const FREE: (f32, u16) = (4.0, 5);
 
-/// What one feature that stands amid the cameras says for its cell.
-const STANDS: f32 = 6.0;
+/// The evidence for its cell of one feature amid the cameras.
+const FOR_AMID: f32 = 6.0;
 
-/// The cells that are the subject by what is told of each pixel.
+/// The cells that are the subject by what is known of each pixel.
 pub(crate) fn cells(
     block: &Block,
     scene: &Scene<'_>,
@@ -111,7 +111,7 @@ pub(crate) fn cells(
     }
     for spot in scene.spots.iter().filter(|s| scene.space.amid(&s.at)) {
         if let Some(i) = block.cell_of(&spot.at) {
-            evidence[i] += STANDS;
+            evidence[i] += FOR_AMID;
         }
     }
     block.largest(&solid(block, &evidence, search.smooth))
@@ -129,16 +129,16 @@ fn near(shot: &Shot, px: [f64; 2], to: &mut Samples) {
 }
 
 /// Colours before anything is known: what is near the axis is the subject's, what is beyond the
-/// space, or is seen past it, the room's.
+/// space, or is seen past it, the background's.
 fn first_colors(scene: &Scene<'_>, search: &Search) -> Option<Vec<Colors>> {
     let (shots, space) = (scene.shots, &scene.space);
     let mut bodies = vec![Samples::new(); shots.len()];
-    let mut rooms = vec![Samples::new(); shots.len()];
+    let mut backgrounds = vec![Samples::new(); shots.len()];
     for spot in scene.spots {
         let aside = spot.at.coords.xy().norm() > space.reach;
         let to = match (space.amid(&spot.at), aside || space.low(&spot.at)) {
             (true, _) => &mut bodies,
-            (false, true) => &mut rooms,
+            (false, true) => &mut backgrounds,
             (false, false) => continue,
         };
         for (k, px) in &spot.sights {
@@ -146,7 +146,7 @@ fn first_colors(scene: &Scene<'_>, search: &Search) -> Option<Vec<Colors>> {
         }
     }
     let one = |(k, shot): (usize, &Shot)| {
-        let (mut body, mut room) = (bodies[k].clone(), rooms[k].clone());
+        let (mut body, mut background) = (bodies[k].clone(), backgrounds[k].clone());
         let (centre, c) = (shot.camera.centre().coords, &shot.camera);
         let middle = c.project(&Point3::new(0.0, 0.0, space.middle))?;
         let disc = 0.08 * space.reach * c.lens.focal[0] / centre.norm();
@@ -158,10 +158,10 @@ fn first_colors(scene: &Scene<'_>, search: &Search) -> Option<Vec<Colors>> {
             let ray = c.ray(at.into());
             let aside = centre.xy().perp(&ray.xy()).abs() / ray.xy().norm().max(1e-9);
             if aside > 0.5 * space.reach {
-                room.push((at[1] as u32, shot.small.data[i]));
+                background.push((at[1] as u32, shot.small.data[i]));
             }
         }
-        Colors::fit(&body, &room, shot.small.height, search.clusters)
+        Colors::fit(&body, &background, shot.small.height, search.clusters)
     };
     shots.par_iter().enumerate().map(one).collect()
 }
@@ -192,16 +192,16 @@ pub(crate) fn next_colors(
         let deep = (px as f64).max(DEEP * area.sqrt());
         let mask = shown.map(|s| if *s { 255u8 } else { 0 });
         let far = shape::signed_distance(&mask);
-        let (mut body, mut room) = (bodies[k].clone(), Samples::new());
+        let (mut body, mut background) = (bodies[k].clone(), Samples::new());
         for (i, (far, color)) in far.data.iter().zip(&shot.small.data).enumerate() {
             let row = (i / w) as u32;
             if f64::from(*far) > deep {
                 body.push((row, *color));
             } else if *far < -2.0 * px as f32 {
-                room.push((row, *color));
+                background.push((row, *color));
             }
         }
-        Colors::fit(&body, &room, shot.small.height, search.clusters)
+        Colors::fit(&body, &background, shot.small.height, search.clusters)
     };
     shots.par_iter().enumerate().map(one).collect()
 }

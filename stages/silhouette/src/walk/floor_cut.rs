@@ -6,12 +6,12 @@ use crate::walk::find::Subject;
 use nalgebra::Point2;
 use shape::{Camera, Image};
 
-/// What stands on a level plane, and what of it goes on below.
+/// What is on a level plane, and what of it goes on below.
 #[derive(Debug, Clone)]
 pub(crate) struct FloorCut {
     /// Height of the plane. \[mm\]
     pub(crate) height: f64,
-    /// The cells that stand clearly above it.
+    /// The cells that are clearly above it.
     above: Vec<bool>,
     /// Cells of the layer amid which the plane is, and what is beside them.
     section: Vec<bool>,
@@ -58,7 +58,7 @@ impl FloorCut {
             data: (0..w * h)
                 .map(|i| {
                     let at = Point2::new((i % w) as f64, (i / w) as f64);
-                    depth.data[i] > -px || self.stands_on(block, &shot.camera, at)
+                    depth.data[i] > -px || self.rests_on(block, &shot.camera, at)
                 })
                 .collect(),
         }
@@ -87,12 +87,12 @@ impl FloorCut {
                 return !here;
             }
             let px = Point2::new(x as f64, y as f64);
-            !here && !self.stands_on(&subject.block, &camera, px)
+            !here && !self.rests_on(&subject.block, &camera, px)
         }
     }
 
     /// Whether a pixel's ray meets the plane within the section: then it met the subject above it.
-    pub(crate) fn stands_on(&self, block: &Block, camera: &Camera, px: Point2<f64>) -> bool {
+    pub(crate) fn rests_on(&self, block: &Block, camera: &Camera, px: Point2<f64>) -> bool {
         let (centre, ray) = (camera.centre(), camera.ray(px));
         let along = (self.height - centre.z) / ray.z;
         if !along.is_finite() || along <= 0.0 {

@@ -10,7 +10,7 @@ use shape::{Image, Mask, Rgb};
 /// Side of a window, and its margin, which is cut and thrown away. \[px of the reduced photo\]
 const TILE: usize = 16;
 const MARGIN: usize = 4;
-/// Half the side of the neighbourhood in which the room's colour is sought. \[px\]
+/// Half the side of the neighbourhood in which the background's colour is sought. \[px\]
 const REACH: usize = 6;
 /// Pixels this near to the border may show both sides. \[px\]
 const MIXED: f32 = 2.5;
@@ -107,7 +107,7 @@ fn cut_again(
     }
 }
 
-/// What the photo would show near the border without the subject: the mean of the room beside.
+/// What the photo would show near the border without the subject: the mean of the background beside.
 fn beside(photo: &Rgb, sides: &Image<bool>) -> Rgb {
     let far = shape::signed_distance(&coverage(sides));
     let (w, h) = (photo.width, photo.height);

@@ -1,4 +1,4 @@
-//! Whether the masks of a walk are to be believed: told, or refused.
+//! Whether the masks of a walk are to be believed: warnings, or a refusal.
 
 use crate::walk::doubt::{alike, middle, over_border, reported};
 use crate::walk::features::Spot;
@@ -29,7 +29,7 @@ pub(crate) struct Judged<'a> {
     pub(crate) cutter: &'a FloorCut,
     /// Outlines.
     pub(crate) sides: &'a [Image<bool>],
-    /// What of the photos shows what stands above the end.
+    /// What of the photos shows the subject above its end.
     pub(crate) standing: &'a [Image<bool>],
     /// What outlines share with those of the pass before.
     pub(crate) settled: &'a [f64],
@@ -42,14 +42,14 @@ const BORDER: f64 = 0.002;
 /// Names that are listed.
 const NAMES: usize = 6;
 
-/// What is refused is told at this part of it.
-const LACKING_TOLD: f64 = 3.0;
+/// A warning comes at this part of what is refused.
+const WARNED_PART: f64 = 3.0;
 
-/// Share of the features that stand amid the cameras, above the end, in whose photos the outlines
+/// Share of the features amid the cameras, above the end, in whose photos the outlines
 /// don't show them.
 fn lacking(all: &Judged<'_>) -> f64 {
     let space = &all.scene.space;
-    let stands = |s: &&Spot| space.amid(&s.at) && s.at.z > all.cutter.height;
+    let is_subject = |s: &&Spot| space.amid(&s.at) && s.at.z > all.cutter.height;
     let shown = |(k, px): &(usize, [f64; 2])| {
         let (depth, px) = (&all.sides[*k], px.map(f64::round));
         let inside = px[0] >= 0.0 && px[1] >= 0.0;
@@ -57,7 +57,7 @@ fn lacking(all: &Judged<'_>) -> f64 {
         inside && x < depth.width && y < depth.height && depth.at(x, y)
     };
     let (mut count, mut lost) = (0usize, 0usize);
-    for spot in all.scene.spots.iter().filter(stands) {
+    for spot in all.scene.spots.iter().filter(is_subject) {
         count += 1;
         let seen = spot.sights.iter().filter(|s| shown(s)).count();
         lost += usize::from(2 * seen < spot.sights.len());
@@ -104,7 +104,7 @@ fn measured(all: &Judged<'_>) -> Measured {
     }
 }
 
-/// What is said of masks that are believed.
+/// What is reported of masks that are believed.
 pub(crate) struct Judgement {
     /// Names and values. \[%\]
     pub(crate) metrics: [(&'static str, f64); 4],
@@ -164,10 +164,10 @@ fn names(all: &Judged<'_>, which: &[usize]) -> String {
     format!("{}{more}", list.join(", "))
 }
 
-/// What is told though it is no reason to stop.
+/// What is warned of though it is no reason to stop.
 fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize]) -> Vec<Message> {
     let mut warnings = vec![];
-    if found.lacking > p.most_lacking / LACKING_TOLD {
+    if found.lacking > p.most_lacking / WARNED_PART {
         let share = 100.0 * found.lacking;
         warnings.push(message!(LACKING, share = share));
     }

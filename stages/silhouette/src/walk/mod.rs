@@ -1,10 +1,10 @@
-//! Silhouettes of a walk around a subject that stands still with its room.
+//! Silhouettes of a walk around a subject that is as still as its background.
 //!
 //! Campbell, Vogiatzis, Hernández and Cipolla, "Automatic 3D object segmentation in multiple views
 //! using volumetric graph-cuts", Image and Vision Computing 28 (2010): what all cameras look at is the
-//! subject; its colours and the room's are learned from photos, cells of a block are parted by a least
-//! cut, and both again. That a cell is free where one photo sees the room through it: Djelouah et al.
-//! (2013). Features behind the subject, which a walk gives for nothing, say so without colours.
+//! subject; its colours and the background's are learned from photos, cells of a block are parted by a least
+//! cut, and both again. That a cell is free where one photo sees the background through it: Djelouah et al.
+//! (2013). Features behind the subject, which a walk gives for nothing, show it without colours.
 
 mod block;
 mod colors;

@@ -37,13 +37,13 @@ pub(crate) fn cell_px(block: &Block, shot: &Shot) -> f32 {
     (block.cell * shot.camera.lens.focal[0] / far) as f32
 }
 
-/// The least cut of a reduced photo. `room` are pixels that show something behind the subject.
+/// The least cut of a reduced photo. `behind` are pixels that show something behind the subject.
 pub(crate) fn outline(
     shot: &Shot,
     depth: &Image<f32>,
     cell_px: f32,
     colors: &Colors,
-    room: &[[f64; 2]],
+    behind: &[[f64; 2]],
     hold: &Hold,
     gamma: f64,
 ) -> Image<bool> {
@@ -56,7 +56,7 @@ pub(crate) fn outline(
             false => Known::Unknown,
         })
         .collect();
-    for px in room {
+    for px in behind {
         let (x, y) = (px[0].round() as usize, px[1].round() as usize);
         if x < w && y < h {
             known[y * w + x] = Known::Background;
@@ -84,13 +84,13 @@ pub(crate) fn outline(
         height: h,
         data,
     };
-    // A gap is where colours speak for the room.
+    // A gap is where colours speak for the background.
     let open = |i: usize| colors.favour(shot.small.data[i], (i / w) as f64) < -1.0;
     cleaned(&sides, &open)
 }
 
-/// Parts smaller than this share of the greatest are left out: cells say that they hang together, but
-/// an arm may hide what joins them.
+/// Parts smaller than this share of the greatest are left out: cells have them in one piece, but an arm may
+/// hide what joins them.
 const SPECK: usize = 100;
 /// Holes smaller than this share of the greatest part are filled, and up to a tenth of it those where
 /// most pixels are not `open`.
@@ -138,7 +138,7 @@ pub(crate) fn behind(spots: &[Spot], k: usize, block: &Block, near: &[bool]) -> 
     spots.iter().filter(outside).filter_map(of).collect()
 }
 
-/// What a mask says of pixels: as ln p(body) − ln p(room), sure beyond a cell from its border.
+/// A mask's evidence for pixels: as ln p(body) − ln p(background), sure beyond a cell from its border.
 pub(crate) fn sureness(sides: &Image<bool>, cell_px: f32) -> Image<f32> {
     let depth = signed_distance(&as_mask(sides));
     depth.map(|d| (d / cell_px.max(1.0) * 4.0).clamp(-8.0, 8.0))

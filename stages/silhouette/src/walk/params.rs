@@ -20,7 +20,7 @@ stage::params! {
         #[range(1..=10)]
         #[source(structural)]
         passes: u32 = 2,
-        /// Clusters of the mixture of the subject's colours; the room's has half as many more.
+        /// Clusters of the mixture of the subject's colours; the background's has half as many more.
         #[range(1..=20)]
         clusters: u32 = 6,
         /// Price of parting two cells.
@@ -29,13 +29,13 @@ stage::params! {
         /// Weight of an outline's length against colours (γ).
         #[range(0.0..=1000.0)]
         gamma: f64 = 40.0,
-        /// Height below which nothing is the subject: a pedestal's top, say. In the frame of the
+        /// Height below which nothing is the subject: a pedestal's top. In the frame of the
         /// cameras; of a walk without scale their mean distance is 1000. By itself it ends at the
         /// floor, or where `whole` of the photos no longer show it.
         #[range(-100000.0..=100000.0)]
         #[source(structural)]
         bottom_mm: f64 = -100_000.0,
-        /// Share of the photos that must show the subject down to where it is said to end.
+        /// Share of the photos that must show the subject down to where it is taken to end.
         #[range(0.1..=1.0)]
         whole: f64 = 0.9,
         /// Widest gap between cameras around the subject.
@@ -49,7 +49,7 @@ stage::params! {
         /// must be, and outlines and what all photos together show.
         #[range(0.0..=1.0)]
         least_agreement: f64 = 0.85,
-        /// Greatest share of the features that stand amid the cameras which outlines may lack.
+        /// Greatest share of the features amid the cameras which outlines may lack.
         #[range(0.0..=1.0)]
         most_lacking: f64 = 0.1,
     }

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use shape::Image;
 use stage::Cancelled;
 
-/// How outlines are held to cells: those that colours found, and those that outlines found.
+/// How closely outlines follow cells: those that colours found, and those that outlines found.
 const HOLDS: [Hold; 2] = [
     Hold {
         outside: 2.0,
@@ -91,9 +91,9 @@ fn outlines(scene: &Scene<'_>, subject: &Subject, hold: &Hold, gamma: f64) -> Ve
     } = subject;
     let one = |(k, shot): (usize, &Shot)| {
         let depth = depth(block, solid, shot);
-        let room = behind(scene.spots, k, block, solid);
+        let behind = behind(scene.spots, k, block, solid);
         let px = cell_px(block, shot);
-        outline(shot, &depth, px, &colors[k], &room, hold, gamma)
+        outline(shot, &depth, px, &colors[k], &behind, hold, gamma)
     };
     scene.shots.par_iter().enumerate().map(one).collect()
 }

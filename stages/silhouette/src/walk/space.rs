@@ -31,7 +31,7 @@ pub(crate) struct Space {
 const SEEN: [f64; 2] = [0.95, 0.3];
 /// A floor is at least so much of the reach below where cameras look.
 const BELOW: f64 = 0.05;
-/// What stands within so much of the reach is likely the subject's.
+/// What is within so much of the reach is likely the subject's.
 const AMID: f64 = 0.5;
 /// Points around the axis that are looked at.
 const AROUND: usize = 16;
@@ -74,7 +74,7 @@ impl Space {
         })
     }
 
-    /// Whether a point stands amid the cameras, clearly above the floor: it is likely the subject's.
+    /// Whether a point is amid the cameras, clearly above the floor: it is likely the subject's.
     pub(crate) fn amid(&self, x: &Point3<f64>) -> bool {
         let [_, high] = self.heights;
         x.coords.xy().norm() < AMID * self.reach && !self.low(x) && x.z < high

@@ -30,7 +30,7 @@ stage::inputs! {
 /// `silhouette.walk`: photos, cameras, tracks → masks.
 pub struct Walk;
 
-/// Fewest photos that tell a subject from its room.
+/// Fewest photos that distinguish a subject from its background.
 const FEWEST: usize = 6;
 
 impl Stage for Walk {

@@ -1,4 +1,4 @@
-//! Which cells are the subject: what every photo says of each, and a least cut through the block.
+//! Which cells are the subject: the evidence of every photo for each, and a least cut through the block.
 
 use crate::cut::maxflow::Grid;
 use crate::scene::still_and_disk::Shot;
@@ -16,8 +16,8 @@ pub(crate) struct Belief {
 }
 
 impl Belief {
-    /// ln p(pixel | cell is body) − ln p(pixel | cell is free), from what the pixel's colour says:
-    /// a room seen there frees the cell, a subject seen there may stand before or behind it.
+    /// ln p(pixel | cell is body) − ln p(pixel | cell is free), by the pixel's colour:
+    /// background seen there frees the cell, a subject seen there may be before or behind it.
     pub(crate) fn reported(&self, favour: f32) -> f32 {
         let r = libm::expf(favour.clamp(-12.0, 12.0));
         let body = (1.0 - self.misled) * r + self.misled;
@@ -26,7 +26,7 @@ impl Belief {
     }
 }
 
-/// What all photos say of each cell; cells that `closed` names are none's.
+/// The evidence of all photos for each cell; cells that `closed` names have none.
 pub(crate) fn evidence(
     block: &Block,
     shots: &[Shot],
@@ -61,7 +61,7 @@ const UNIT: f32 = 64.0;
 /// No evidence counts for more.
 const MOST: f32 = 40.0;
 
-/// The cells that are the subject: least sum of what the evidence says against each and of what it
+/// The cells that are the subject: least sum of the evidence against each and of what it
 /// costs to part neighbours.
 pub(crate) fn solid(block: &Block, evidence: &[f32], smooth: f32) -> Vec<bool> {
     let mut grid = Grid::block(block.count);

@@ -6,7 +6,7 @@ use silhouette::{GrabCut, GrabCutInput, GrabCutParams, Known, Rectangle};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
-/// A room of two shades, a body in two others, and far from it a ball of the body's colour.
+/// A background of two shades, a body of two other ones, and far from it a ball of the body's colour.
 fn photo(dice: &mut Dice) -> (Rgb, Image<bool>) {
     let (w, h) = (240, 320);
     let body = |i: usize| {
@@ -78,7 +78,7 @@ fn a_rectangle_alone_is_enough_where_colours_differ() {
 }
 
 #[test]
-fn without_a_rectangle_a_photo_alone_says_what_is_missing() {
+fn without_a_rectangle_a_photo_alone_reports_what_is_missing() {
     let (photo, _) = photo(&mut Dice(1));
     let stated = masked(&photo, vec![]).unwrap_err();
     assert!(
@@ -88,7 +88,7 @@ fn without_a_rectangle_a_photo_alone_says_what_is_missing() {
 }
 
 #[test]
-fn a_rectangle_that_is_none_is_told() {
+fn a_rectangle_that_is_none_is_refused() {
     let (photo, _) = photo(&mut Dice(1));
     for (stated, what) in [
         (vec![1.0, 2.0, 3.0], "has 3 numbers"),

@@ -4,15 +4,15 @@ use proof::Dice;
 use shape::{Image, Rgb};
 use silhouette::{Backdrop, Settings, coarse, exposure, prepare};
 
-/// A room of plain patches, and a body before it that covers a third.
+/// A background of plain patches, and a body before it that covers a third.
 fn scene(dice: &mut Dice) -> (Rgb, Rgb, Image<bool>) {
     let (w, h) = (240, 320);
-    let mut room = Rgb::filled(w, h, [0; 3]);
+    let mut background = Rgb::filled(w, h, [0; 3]);
     let shades: Vec<[f64; 3]> = (0..48)
         .map(|_| [0; 3].map(|_| dice.within(30.0, 190.0)))
         .collect();
     let at = |i: usize| shades[(i % w / 40) + 6 * (i / w / 40)];
-    for (i, p) in room.data.iter_mut().enumerate() {
+    for (i, p) in background.data.iter_mut().enumerate() {
         *p = at(i).map(|v| (v + dice.normal()).round() as u8);
     }
     let body = |i: usize| {
@@ -33,7 +33,7 @@ fn scene(dice: &mut Dice) -> (Rgb, Rgb, Image<bool>) {
         height: h,
         data: (0..w * h).map(body).collect(),
     };
-    (room, photo, truth)
+    (background, photo, truth)
 }
 
 fn changed(plate: &Rgb, by: [f64; 3]) -> Rgb {

@@ -1,4 +1,4 @@
-//! Masks from elsewhere: named, sized and the right way around, or a sentence that says what is wrong.
+//! Masks from elsewhere: named, sized and the right way around, or a sentence with what is wrong.
 
 use shape::{Mask, Masks, Photo, PhotoId, Photos, Rgb, gray_to_png, rgb_to_png};
 use silhouette::{Body, Import, ImportInput, ImportParams};
@@ -85,30 +85,30 @@ fn a_photo_without_a_mask_is_left_out() {
 }
 
 #[test]
-fn what_is_wrong_is_said_with_the_files_name() {
+fn what_is_wrong_is_reported_with_the_files_name() {
     let good = gray_to_png(&mask(255, 0));
-    let says = |files: &[(&str, Vec<u8>)], words: &[&str]| {
+    let refused_with = |files: &[(&str, Vec<u8>)], words: &[&str]| {
         let error = import(files, 2, Body::Auto).unwrap_err();
         assert!(words.iter().all(|w| error.contains(w)), "{error}");
     };
-    says(&[("a.png", good.clone())], &["0000.png", "named"]);
-    says(
+    refused_with(&[("a.png", good.clone())], &["0000.png", "named"]);
+    refused_with(
         &[("0000.png", gray_to_png(&Mask::filled(40, 60, 0)))],
         &["0000.png", "all black"],
     );
-    says(
+    refused_with(
         &[("0000.png", gray_to_png(&Mask::filled(40, 60, 255)))],
         &["0000.png", "all white"],
     );
-    says(
+    refused_with(
         &[("0001.png", gray_to_png(&Mask::filled(20, 30, 0)))],
         &["0001.png", "20×30", "40×60"],
     );
-    says(
+    refused_with(
         &[("0000.png", b"no image".to_vec())],
         &["0000.png", "cannot be read"],
     );
-    says(
+    refused_with(
         &[("0000.png", good.clone()), ("0000_mask.png", good.clone())],
         &["0000_mask.png", "keep one"],
     );
@@ -116,5 +116,5 @@ fn what_is_wrong_is_said_with_the_files_name() {
         ("0000.png", good.clone()),
         ("0001.png", gray_to_png(&mask(0, 255))),
     ];
-    says(&three, &["0001.png", "inverted"]);
+    refused_with(&three, &["0001.png", "inverted"]);
 }

@@ -45,7 +45,7 @@ fn turn(count: usize, wall: &Rgb, dice: &mut proof::Dice) -> Vec<Shot> {
             let steps = (0..70).map(|s| from + ray.into_inner() * (1430.0 + 5.0 * f64::from(s)));
             let mut shown = p.map(f64::from);
             if let Some(hit) = steps.into_iter().find(body) {
-                // Light from one side of the room, and spots that turn with the skin.
+                // Light from one side, and spots that turn with the skin.
                 let light = 22.0 * libm::sin(libm::atan2(hit.y, hit.x) - angle);
                 let spots = 14.0 * libm::sin(hit.x * 0.31) * libm::sin(hit.z * 0.27 + hit.y * 0.2);
                 shown = [206.0, 152.0, 122.0].map(|v| v + light + spots);

@@ -1,4 +1,4 @@
-//! What photos of a turn share to the level is the room, and a body that has turned is not.
+//! What photos of a turn share to the level is background, and a body that has turned is not.
 
 use shape::{Image, Rgb};
 use silhouette::recurring;
@@ -85,7 +85,7 @@ fn hidden_photos_are_not_asked() {
 }
 
 #[test]
-fn a_crown_that_hardly_changes_while_it_turns_is_no_room() {
+fn a_crown_that_hardly_changes_while_it_turns_is_no_background() {
     let (wall, mut photos, _) = turn(&mut proof::Dice(4));
     // Always covered, each photo a level brighter: some pairs agree, but barely.
     let mut dice = proof::Dice(5);

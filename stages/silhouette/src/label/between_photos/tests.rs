@@ -6,7 +6,7 @@ use shape::{Camera, Intrinsics, Pose, Scale};
 
 const SIZE: (usize, usize) = (240, 320);
 
-/// A trunk on two legs, 22 mm apart, that stand on a board. \[mm\]
+/// A trunk on two legs, 22 mm apart, on a board. \[mm\]
 fn body(x: &Point3<f64>) -> bool {
     let leg = libm::hypot(x.x.abs() - 61.0, x.y) < 50.0;
     let trunk = (x.x / 112.0).powi(2) + (x.y / 55.0).powi(2) < 1.0;

@@ -1,6 +1,6 @@
-//! Masks of a walk around a made figure whose outline is known, and what is refused or told.
+//! Masks of a walk around a made figure whose outline is known, and what is refused or warned of.
 
-mod room;
+mod background;
 mod scene;
 
 use scene::{Made, Scene};
@@ -19,7 +19,7 @@ impl Host for Listening {
     }
 }
 
-/// What comes of a scene, with the true masks and what was said.
+/// What comes of a scene, with the true masks and the warnings.
 struct Came {
     masks: Result<Masks, String>,
     truth: Vec<Mask>,
@@ -83,7 +83,7 @@ fn against(masks: &Masks, truth: &[Mask]) -> (f64, f64) {
 }
 
 #[test]
-fn a_figure_in_a_room_is_cut_out_of_a_walk_around_it() {
+fn a_figure_before_walls_is_cut_out_of_a_walk_around_it() {
     let came = cut(Made::default(), &small());
     let masks = came.masks.unwrap();
     let (mean, least) = against(&masks, &came.truth);
@@ -97,7 +97,7 @@ fn a_figure_in_a_room_is_cut_out_of_a_walk_around_it() {
 }
 
 #[test]
-fn where_skin_has_the_floor_s_colour_what_is_lacking_is_told() {
+fn where_skin_has_the_floor_s_colour_what_is_lacking_is_warned_of() {
     let floor = [128.0, 104.0, 82.0];
     let came = cut(
         Made {
@@ -113,7 +113,7 @@ fn where_skin_has_the_floor_s_colour_what_is_lacking_is_told() {
 }
 
 #[test]
-fn the_height_that_is_said_is_where_the_subject_ends() {
+fn the_height_that_is_given_is_where_the_subject_ends() {
     let p = WalkParams {
         bottom_mm: 600.0,
         ..small()
@@ -165,7 +165,7 @@ fn what_would_be_a_guess_is_refused() {
         ..Made::default()
     };
     let skin = made.colors[1];
-    for (made, says) in [
+    for (made, expected) in [
         (Made { photos: 1, ..made }, "only 1 photos have a camera"),
         (Made { photos: 5, ..made }, "only 5 photos have a camera"),
         (Made { round: 0.4, ..made }, "leave 2"),
@@ -180,20 +180,20 @@ fn what_would_be_a_guess_is_refused() {
     ] {
         let came = cut(made, &small());
         let why = came.masks.map(|m| against(&m, &came.truth));
-        let refused = why.as_ref().is_err_and(|why| why.contains(says));
-        assert!(refused, "{says}: {why:?} {:?}", came.stated);
+        let refused = why.as_ref().is_err_and(|why| why.contains(expected));
+        assert!(refused, "{expected}: {why:?} {:?}", came.stated);
     }
 }
 
 #[test]
-fn a_figure_that_photos_cut_off_is_told() {
+fn a_figure_that_photos_cut_off_is_warned_of() {
     let made = Made {
         width: 120,
         near: 1250.0,
         ..Made::default()
     };
     let came = cut(made, &small());
-    let reported = |says: &str| came.stated.iter().any(|stated| stated.contains(says));
+    let reported = |what: &str| came.stated.iter().any(|stated| stated.contains(what));
     assert!(
         came.masks.is_ok() && reported("over the border of 0000.png"),
         "{:?}",
@@ -203,7 +203,7 @@ fn a_figure_that_photos_cut_off_is_told() {
 }
 
 #[test]
-fn a_figure_far_aside_is_refused_or_told() {
+fn a_figure_far_aside_is_refused_or_warned_of() {
     let came = cut(
         Made {
             aside: 520.0,

@@ -1,7 +1,7 @@
-//! A made scene: a figure of ellipsoids in a room of patterned walls, a camera that walks around it,
+//! A made scene: a figure of ellipsoids between patterned walls, a camera that walks around it,
 //! what its photos show, and which of their pixels are the figure.
 
-use crate::walk::room::{noise, room};
+use crate::walk::background::{background, noise};
 use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};
 use proof::Dice;
 use rayon::prelude::*;
@@ -10,8 +10,8 @@ use shape::{
     Tracks, View, rgb_to_png,
 };
 
-/// Half of the room's width and depth, and its height. \[mm\]
-const ROOM: [f64; 3] = [2900.0, 2900.0, 2700.0];
+/// Half of the distances between walls, and the ceiling's height. \[mm\]
+const WALLS: [f64; 3] = [2900.0, 2900.0, 2700.0];
 
 /// How a scene is made.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +22,7 @@ pub(crate) struct Made {
     pub(crate) width: usize,
     /// Part of the way round that is walked.
     pub(crate) round: f64,
-    /// How far the figure stands aside. \[mm\]
+    /// How far the figure is aside. \[mm\]
     pub(crate) aside: f64,
     /// Colours of skin, shirt and trousers.
     pub(crate) colors: [[f64; 3]; 3],
@@ -114,7 +114,7 @@ struct Hit {
 }
 
 impl Scene {
-    /// As said.
+    /// With cameras around it.
     pub(crate) fn new(made: Made) -> Scene {
         let mut dice = Dice(11);
         let cameras = (0..made.photos).map(|k| camera(&made, k, &mut dice));
@@ -127,7 +127,7 @@ impl Scene {
 
     /// The first thing along a ray.
     fn hit(&self, from: &Point3<f64>, ray: &Vector3<f64>) -> Hit {
-        let (lo, hi) = ([-ROOM[0], -ROOM[1], 0.0], ROOM);
+        let (lo, hi) = ([-WALLS[0], -WALLS[1], 0.0], WALLS);
         let wall = |a: usize| {
             let end = if ray[a] > 0.0 { hi[a] } else { lo[a] };
             ((end - from[a]) / ray[a], a)
@@ -162,7 +162,7 @@ impl Scene {
         }
         Hit {
             at,
-            color: room(&self.made, &at, axis),
+            color: background(&self.made, &at, axis),
             body: false,
         }
     }

@@ -1,10 +1,10 @@
-//! The patterned room of a made scene: colours that follow from places as if thrown.
+//! The patterned background of a made scene: colours that follow from places as if thrown.
 
 use crate::walk::scene::Made;
 use nalgebra::Point3;
 
 /// The colour of walls, floor and ceiling.
-pub(crate) fn room(made: &Made, x: &Point3<f64>, axis: usize) -> [f64; 3] {
+pub(crate) fn background(made: &Made, x: &Point3<f64>, axis: usize) -> [f64; 3] {
     if made.plain {
         let light = 0.7 + 0.3 * noise(x, 700.0, 3);
         return made.colors[1].map(|c| c * light);
