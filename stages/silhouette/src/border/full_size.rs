@@ -134,7 +134,7 @@ impl Settled {
             && (open(x, y) || rows.any(|y| (x.max(1) - 1..x + 2).any(|x| open(x, y))))
     }
 
-    /// What pixels cost as background where that is asked: the others are settled.
+    /// What pixels cost as background where that is asked: the rest are settled.
     fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop) -> Vec<f32> {
         let (width, height) = (likeness.photo.width, likeness.photo.height);
         let mut cost = vec![0.0; width * height];
@@ -156,7 +156,7 @@ impl Settled {
         cost
     }
 
-    /// The same of every pixel of a window, row by row; nothing where they say nothing.
+    /// The same of every pixel of a window, row by row; nothing where there is no evidence.
     fn within(&self, coarse: &[f32], window: &Window) -> Vec<f32> {
         let count = if coarse.is_empty() {
             0
@@ -170,7 +170,7 @@ impl Settled {
             .collect()
     }
 
-    /// What coarse pixels say at a pixel between their middles, bilinear; 0 where they say nothing.
+    /// The evidence of coarse pixels at a pixel between their middles, bilinear; 0 where they have none.
     fn between(&self, coarse: &[f32], x: usize, y: usize) -> f32 {
         let (width, height) = (self.known.width, self.known.height);
         if coarse.is_empty() {

@@ -172,7 +172,7 @@ mod tests {
         y >= 10 && x.abs_diff(40) <= 1 + (y - 10) / 5
     }
 
-    /// Pixels of the gap above row 28, all of which others call body, that come back.
+    /// Pixels of the gap above row 28, all of which the other photos have as body, that come back.
     fn found(seen: bool, skin: [f64; 3]) -> (usize, usize, usize) {
         let mut dice = proof::Dice(7);
         let mut noisy =

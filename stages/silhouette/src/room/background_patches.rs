@@ -1,4 +1,4 @@
-//! Background patches: bits of the room that were kept as body where no photo shows the room alone.
+//! Background patches: bits of the background that were kept as body where no photo shows it without the body.
 //!
 //! A patch of a body moves across the photo as it turns, so that photos taken near by show it beside its
 //! place. A picture on the wall does not move: where they show it at all, they show it in its place. Nor
@@ -97,7 +97,7 @@ fn bin(color: [u8; 3]) -> usize {
 }
 
 /// Of each row the bins of colours that hardly any of the body has near that height, where photos show
-/// it before a room that they know.
+/// it before a background that they know.
 fn rare_by_row(shots: &[Shot], cuts: &[Option<Image<bool>>], vouched: &Vouched) -> Vec<Vec<bool>> {
     let first = cuts.iter().flatten().next();
     let (width, height) = first.map_or((0, 0), |cut| (cut.width, cut.height));
@@ -154,7 +154,7 @@ fn alike(a: [u8; 3], b: [u8; 3]) -> bool {
     (0..3).all(|k| a[k].abs_diff(b[k]) <= SAME_COLOR_LEVELS)
 }
 
-/// Whether others show most of a patch's colours on the body, near its height and beside its place.
+/// Whether other photos show most of a patch's colours on the body, near its height and beside its place.
 fn is_found(photo: &Rgb, patch: &[usize], others: &[(&Rgb, &Image<bool>)]) -> bool {
     let (width, height) = (photo.width, photo.height);
     let around = |v: usize, share: f64, end: usize| {
@@ -202,7 +202,7 @@ mod tests {
         let one = |k: usize| {
             let (s, c) = libm::sincos(k as f64 * std::f64::consts::TAU / 18.0);
             let rows = Matrix3::new(c, s, 0.0, 0.0, 0.0, -1.0, -s, c, 0.0);
-            // It is broader on every second photo, so that the others show what is beside.
+            // It is broader on every second photo, so that the rest show what is beside.
             let columns = if k.is_multiple_of(2) { 20..60 } else { 26..54 };
             let covered = |i: usize| columns.contains(&(i % SIZE.0));
             let shown = |i: usize| {

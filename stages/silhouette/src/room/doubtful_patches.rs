@@ -1,7 +1,7 @@
 //! Without a plate: what was kept as body though nothing vouches for it.
 //!
-//! Behind some pixels no photo shows the room. What is there has the body's colours, as the body shows
-//! them before a room that is known; where it has not, it may be a bit of the room.
+//! Behind some pixels no photo shows the background. What is there has the body's colours, as the body shows
+//! them before a background that is known; where it has not, it may be a bit of that.
 
 use crate::label::parts::parts;
 use crate::likelihood::body::{STRANGE, body_cost};
@@ -33,7 +33,7 @@ pub(crate) fn doubtful(shots: &[Shot], cuts: &[Option<Image<bool>>], radius: f64
     shots.par_iter().zip(cuts).map(share).collect()
 }
 
-/// Where photos show the room without the body, and which colours the body shows before it.
+/// Where photos show the background without the body, and which colours the body shows before it.
 pub(crate) struct Vouched {
     /// Pixels that some photo shows without the body.
     bare: Image<bool>,
@@ -59,7 +59,7 @@ impl Vouched {
         Some(Vouched { bare, body })
     }
 
-    /// Whether a pixel of a cut is before a room that some photo shows.
+    /// Whether a pixel of a cut is before a background that some photo shows.
     pub(crate) fn before_room(&self, cut: &Image<bool>, i: usize) -> bool {
         cut.data[i] && self.bare.data[i]
     }
@@ -82,7 +82,7 @@ mod tests {
     use shape::{Camera, Intrinsics, PhotoId, Pose, Rgb};
 
     #[test]
-    fn a_grey_patch_amid_a_skin_that_nobody_saw_the_room_behind_is_told_of_its_photo_alone() {
+    fn a_grey_patch_amid_a_skin_that_covers_all_behind_it_is_reported_of_its_photo_alone() {
         let mut dice = proof::Dice(6);
         let camera = Camera {
             lens: Intrinsics::simple(60, 80, 100.0),
@@ -97,7 +97,7 @@ mod tests {
                 let light = dice.within(-30.0, 30.0);
                 *p = [200.0, 150.0, 120.0].map(|v| (v + light) as u8);
             }
-            // Grey within the body on the second photo; green beside, where the third shows the room.
+            // Grey within the body on the second photo; green beside, where the third shows the background.
             for i in (20 * 60..50 * 60).filter(|_| k == 1) {
                 match i % 60 {
                     26..34 => small.data[i] = [150, 150, 148],

@@ -26,19 +26,19 @@ use shape::{Cameras, Image, Mask, PhotoId, Rgb};
 pub struct Cuts {
     /// True is body; `None` where a photo shows nothing that moves.
     pub cuts: Vec<Option<Image<bool>>>,
-    /// Of each photo the pixels that were found to be bits of the room.
+    /// Of each photo the pixels that were found to be bits of the background.
     pub(crate) background_patches: Vec<Vec<usize>>,
 }
 
 /// Rounds of finding masks and the background by turns.
 const ROUNDS: usize = 2;
 
-/// A part of the room that is seen amid the turn must be so large a share of the photo.
+/// A part of the background that is seen amid the turn must be so large a share of the photo.
 const MIN_ISLAND_SHARE: f64 = 0.004;
 /// Agreement of photos, each of which gives 1 at most, that suffices once masks are known.
 const MIN_AGREEMENT: f32 = 0.3;
 
-/// Share of the pixels that stand still around the turn.
+/// Share of the pixels that are still around the turn.
 pub(crate) fn standing(shots: &[Shot]) -> f64 {
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
     let still = still(&smalls);
@@ -100,7 +100,7 @@ pub fn without_plate(
     }
 }
 
-/// The room, followed from where it always stands to where few photos show it.
+/// The background, followed from where all photos show it to where few do.
 fn followed(smalls: &[Rgb], people: &[Sense], gamma: f32) -> Backdrop {
     let modes = Modes::of(smalls);
     let mut room = modes.room(&chosen(&modes, smalls, people, gamma));
@@ -108,8 +108,8 @@ fn followed(smalls: &[Rgb], people: &[Sense], gamma: f32) -> Backdrop {
     room
 }
 
-/// Pixels that are the room on all photos. What never changes may be the crown of a head, but then it is
-/// not the room that is followed there.
+/// Pixels that are background on all photos. What never changes may be the crown of a head, but then it is
+/// not the background that is followed there.
 fn always(smalls: &[Rgb], room: &Backdrop) -> Vec<bool> {
     let still = still(smalls);
     let both = |(still, seen): (&Option<bool>, &bool)| *still == Some(true) && *seen;
@@ -175,7 +175,7 @@ impl Turn<'_> {
         ready
     }
 
-    /// Bits of the room within the cuts. Photos that show some are cut again without.
+    /// Bits of the background within the cuts. Photos that show some are cut again without.
     fn laid_bare(
         &self,
         ready: &mut [Prepared],
@@ -203,7 +203,7 @@ impl Turn<'_> {
         all
     }
 
-    /// Each photo cut alone, then again with what all say together.
+    /// Each photo cut alone, then again by the evidence of all together.
     fn together(&self, ready: &mut [Prepared]) -> Vec<Option<Image<bool>>> {
         let alone = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
         let first: Vec<Option<Image<bool>>> = ready.par_iter().map(alone).collect();
@@ -227,7 +227,7 @@ impl Turn<'_> {
     }
 }
 
-/// Adds to the room what two photos suffice to tell: that they show the same to the level, in a
+/// Adds to the background what two photos suffice to show: that they have the same to the level, in a
 /// colour that the body has not.
 fn glimpsed(room: &mut Backdrop, smalls: &[Rgb], body: &Gmm) {
     let likely = |c: &[u8; 3]| body_cost(body, *c) < STRANGE;

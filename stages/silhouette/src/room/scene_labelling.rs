@@ -1,9 +1,9 @@
-//! Which of the levels that recur at a pixel is the room: the one whose photos go over smoothly into those
-//! beside.
+//! Which of the levels that recur at a pixel is the background: the one whose photos go over smoothly into
+//! those beside.
 //!
-//! Each choice says which photos show the room at a pixel and which the body. Where the choices of two
-//! neighbours say otherwise of a photo, the body's outline runs between them there, and that costs, less
-//! where the photo has an edge. A plain shirt taken for room breaks off all around in every photo at once.
+//! Each choice divides the photos: some show the background at a pixel, the rest the body. Where the choices of two
+//! neighbours differ in a photo, the body's outline runs between them there, and that costs, less
+//! where the photo has an edge. A plain shirt taken for background breaks off all around in every photo at once.
 
 use crate::likelihood::person::Sense;
 use crate::room::message_passing::{CHOICES, Costs, Field, Pairs};
@@ -11,11 +11,11 @@ use crate::room::recurring_levels::{MODES, Modes};
 use rayon::prelude::*;
 use shape::Rgb;
 
-/// No photo shows the room.
+/// No photo shows the background.
 const NONE: usize = MODES;
 /// What an outline costs where the photo has an edge, as a share of what it costs where it has none.
 const EDGE: f32 = 0.03;
-/// The same where most photos have that edge: it is the room's own, or an outline that does not move.
+/// The same where most photos have that edge: it is the background's own, or an outline that does not move.
 const STATIC: f32 = 0.25;
 /// Squared difference of neighbours, three channels together, that makes an edge. \[levels²\]
 const CONTRAST: f32 = 300.0;
@@ -31,11 +31,11 @@ const FEW: f32 = 0.34;
 const ROUGH: f32 = 200.0;
 /// What cannot be.
 const NEVER: f32 = 1e5;
-/// So near to a photo's border, as a share of its height, what so large a share of the photos shows is room.
+/// So near to a photo's border, as a share of its height, what so large a share of the photos shows is background.
 const MARGIN: f64 = 0.01;
 const MOST: f64 = 0.85;
 
-/// Of each pixel the mode that is the room, if any is.
+/// Of each pixel the mode that is the background, if any is.
 ///
 /// `people` are log-odds of the body by a person's sense, photo by photo, or nothing \[nats\]; an outline, which costs 1
 /// here, costs `gamma` there.
@@ -102,8 +102,8 @@ fn alone(modes: &Modes, i: usize) -> Costs {
     costs
 }
 
-/// Adds to each choice what speaks against it: people on photos that are said to show the room, none on those that are
-/// said to show the body.
+/// Adds to each choice what speaks against it: people on photos that it takes for background, nobody on those that
+/// it takes for the body.
 fn with_people(modes: &Modes, i: usize, people: &[Sense], gamma: f32, costs: &mut Costs) {
     let odds = |k: usize| {
         people
@@ -113,7 +113,7 @@ fn with_people(modes: &Modes, i: usize, people: &[Sense], gamma: f32, costs: &mu
     };
     let nobody: f32 = (0..people.len()).map(|k| (-odds(k)).max(0.0)).sum();
     for (choice, cost) in costs.iter_mut().enumerate() {
-        // As if all showed the body, then photo by photo those that show the room.
+        // As if all showed the body, then photo by photo those that show the background.
         let mut against = nobody;
         if choice != NONE {
             for (word, shows) in modes.sets(i, choice).0.iter().enumerate() {
@@ -148,7 +148,7 @@ impl<'a> Outline<'a> {
             between,
             usual: [0; 3],
         };
-        // No room for more is asked of the machine at each pixel.
+        // On the stack, so that no pixel allocates.
         let mut values = [0; 256];
         let some = photos.len().min(values.len());
         for c in 0..3 {
@@ -216,7 +216,7 @@ mod tests {
 
     /// A body that swings to and fro before a wall and whose middle covers it always; its shade changes, but
     /// its chest is too bright to show any: the wall, the photos, and how many of them show the wall at
-    /// each column where the body stands.
+    /// each column where the body is.
     fn turn() -> (Rgb, Vec<Rgb>, Vec<usize>) {
         let mut dice = proof::Dice(9);
         let mut wall = Rgb::filled(160, 220, [0; 3]);
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plain_body_that_most_photos_show_alike_is_no_room_and_the_wall_that_few_show_is() {
+    fn a_plain_body_that_most_photos_show_alike_is_no_background_and_the_wall_that_few_show_is() {
         let (wall, photos, free) = turn();
         let modes = Modes::of(&photos);
         let room = modes.room(&chosen(&modes, &photos, &[], 40.0));
