@@ -5,7 +5,7 @@
     models/person/alarm.py lost.jsonl [HELD_OUT.jsonl]
 
 By part: the middle between the most that a true mask leaves out, and what nine in ten masks leave out that lack a limb of that part (of
-two); where these overlap, twice the most of a true mask. Prints them, and by part how many true masks and how many without a
+two). Prints them, and by part how many true masks and how many without a
 limb are named, of the fit and of the held-out. `stages/person/src/alarm.rs` holds the numbers. Wants numpy.
 """
 
@@ -14,7 +14,7 @@ import sys
 
 import numpy as np
 
-PARTS = {"head": ["head"], "trunk": ["left side", "right side"], "arms": ["left forearm", "right forearm"], "legs": ["left shank", "right shank"], "feet": ["left foot", "right foot"]}
+PARTS = {"head": ["head"], "trunk": ["left side", "right side"], "arms": ["left forearm", "right forearm"], "legs": ["left shank", "right shank"]}
 
 
 def read(path):
@@ -26,8 +26,7 @@ def read(path):
 
 def bound(true, lacking):
     """The width from which on a mask is named."""
-    most, tenth = true.max(), np.quantile(lacking, 0.1)
-    return (most + tenth) / 2 if tenth > most else 2 * most
+    return (true.max() + np.quantile(lacking, 0.1)) / 2
 
 
 def main(fitted_on, held_out=None):

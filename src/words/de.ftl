@@ -548,7 +548,6 @@ warn-like-scene = { $part ->
 } und leere Szene sehen am Umriss auf { $names } gleich aus: Umrisse lassen dort vielleicht Körper weg oder behalten etwas von der Szene; diese Umrisse ansehen und etwas in einer anderen Farbe tragen
 warn-lost = { $name } (Foto { $number }) hat keine Kamera: { $why }
 warn-lost-arm = Umrisse lassen einen Arm oder einen Teil davon auf { $names } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen
-warn-lost-foot = Umrisse lassen einen Fuß oder einen Teil davon auf { $names } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen
 warn-lost-head = Umrisse lassen den Kopf oder einen Teil davon auf { $names } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen
 warn-lost-leg = Umrisse lassen ein Bein oder einen Teil davon auf { $names } weg, wo ein gelernter Blick auf Menschen es sieht: diese Umrisse ansehen
 warn-lost-trunk = Umrisse lassen einen Teil des Rumpfs auf { $names } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen

@@ -390,7 +390,6 @@ warn-kept-body = outlines have body on { $names } where a learned sense of a per
 warn-light = the surface holds { $holds }, a body of { $weight } fills about { $fills }: { $missing } of the volume are missing; look at the outlines, and check scale and weight
 warn-like-scene = { $part } and empty scene look alike along the outline on { $names }: outlines may leave out body there, or keep some of the scene; look at these outlines, and wear another colour
 warn-lost-arm = outlines leave out an arm or a part of it on { $names }, where a learned sense of a person sees it: look at these outlines
-warn-lost-foot = outlines leave out a foot or a part of it on { $names }, where a learned sense of a person sees it: look at these outlines
 warn-lost-head = outlines leave out the head or a part of it on { $names }, where a learned sense of a person sees it: look at these outlines
 warn-lost-leg = outlines leave out a leg or a part of it on { $names }, where a learned sense of a person sees it: look at these outlines
 warn-lost-trunk = outlines leave out a part of the trunk on { $names }, where a learned sense of a person sees it: look at these outlines

@@ -59,7 +59,7 @@ pub fn people_to_json(people: &People, photos: &Photos) -> String {
     serde_json::to_string_pretty(&all).expect("bug: people JSON cannot hold")
 }
 
-/// By part of the body the photos whose masks leave out some of it, and those with body where no person is seen, by name.
+/// By part of the body, but for feet, the photos whose masks leave out some of it, and those with body where no person is seen, by name.
 pub fn lost_parts_to_json(parts: &LostParts, photos: &Photos) -> String {
     let names = |ids: &[PhotoId]| -> Vec<Value> {
         let name =
@@ -67,7 +67,8 @@ pub fn lost_parts_to_json(parts: &LostParts, photos: &Photos) -> String {
         ids.iter().map(name).collect()
     };
     let part = |part: BodyPart| (part.word().to_owned(), names(parts.of(part)).into());
-    let lost: serde_json::Map<String, Value> = BodyPart::ALL.into_iter().map(part).collect();
+    let [seen @ .., _feet] = BodyPart::ALL;
+    let lost: serde_json::Map<String, Value> = seen.into_iter().map(part).collect();
     let all = json!({ "photos": parts.photos, "lost": lost, "added": names(&parts.added) });
     serde_json::to_string_pretty(&all).expect("bug: lost parts JSON cannot hold")
 }

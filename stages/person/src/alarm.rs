@@ -11,7 +11,6 @@ stage::messages! {
     LOST_TRUNK = "warn-lost-trunk": "masks leave out a part of the trunk on {names}, where a learned sense of a person sees it: look at these masks";
     LOST_ARM = "warn-lost-arm": "masks leave out an arm or a part of it on {names}, where a learned sense of a person sees it: look at these masks";
     LOST_LEG = "warn-lost-leg": "masks leave out a leg or a part of it on {names}, where a learned sense of a person sees it: look at these masks";
-    LOST_FOOT = "warn-lost-foot": "masks leave out a foot or a part of it on {names}, where a learned sense of a person sees it: look at these masks";
     ADDED = "warn-kept-body": "masks have body on {names} where a learned sense of a person sees none: look at these masks";
 }
 
@@ -35,10 +34,6 @@ stage::params! {
         #[range(0.0..=256.0)]
         #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
         legs_px: f64 = 6.3,
-        /// Feet.
-        #[range(0.0..=256.0)]
-        #[source(fitted = "models/person/alarm.py: true masks of six captures, and the same without a limb")]
-        feet_px: f64 = 15.0,
         /// How much body a mask may have beside a part of the learned one, as a share of it. By hand: true masks of ten
         /// captures have at most 12 %.
         #[range(0.0..=100.0)]
@@ -48,14 +43,13 @@ stage::params! {
 }
 
 impl AlarmParams {
-    /// By part, in the order of [`BodyPart::ALL`]. \[pixels of the network\]
-    fn most_px(&self) -> [f64; 5] {
+    /// By part, how wide a piece may be left out \[pixels of the network\], and what names it; a foot alone is below its sight.
+    fn bounds(&self) -> [(BodyPart, f64, Template); 4] {
         [
-            self.head_px,
-            self.trunk_px,
-            self.arms_px,
-            self.legs_px,
-            self.feet_px,
+            (BodyPart::Head, self.head_px, LOST_HEAD),
+            (BodyPart::Trunk, self.trunk_px, LOST_TRUNK),
+            (BodyPart::Arms, self.arms_px, LOST_ARM),
+            (BodyPart::Legs, self.legs_px, LOST_LEG),
         ]
     }
 }
@@ -77,7 +71,7 @@ pub struct Alarm;
 
 impl Stage for Alarm {
     const NAME: &'static str = "silhouette.alarm";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Finds masks that leave out or add a part of the body where a learned sense of a person sees otherwise, and warns of them by photo and part; of a thing it finds nothing.";
     type Params = AlarmParams;
     type Input = AlarmInput;
@@ -95,11 +89,10 @@ impl Stage for Alarm {
             let of = seen.iter().filter(|(_, all)| odd(all));
             of.map(|(id, _)| *id).collect()
         };
-        let most = p.most_px();
-        let lost = BodyPart::ALL.map(|part| {
-            let k = part as usize;
-            photos(&|all| all[k].lost_px > most[k])
-        });
+        let mut lost: [Vec<PhotoId>; 5] = Default::default();
+        for (part, most, _) in p.bounds() {
+            lost[part as usize] = photos(&|all| all[part as usize].lost_px > most);
+        }
         let added = photos(&|all| all.iter().any(|d| 100.0 * d.kept > p.added_pct));
         let parts = LostParts {
             photos: seen.len() as u32,
@@ -110,25 +103,14 @@ impl Stage for Alarm {
             let of = ids.iter().filter_map(|id| input.photos.get(*id));
             some_photos(&of.map(|photo| photo.name.clone()).collect::<Vec<_>>())
         };
-        for part in BodyPart::ALL {
+        for (part, _, left_out) in p.bounds() {
             if let Some(names) = names(parts.of(part)) {
-                ctx.warn(Message::new(&left_out(part), [("names", names)]));
+                ctx.warn(Message::new(&left_out, [("names", names)]));
             }
         }
         if let Some(names) = names(&parts.added) {
             ctx.warn(message!(ADDED, names = names));
         }
         Ok(parts)
-    }
-}
-
-/// The warning of a part that masks leave out.
-fn left_out(part: BodyPart) -> Template {
-    match part {
-        BodyPart::Head => LOST_HEAD,
-        BodyPart::Trunk => LOST_TRUNK,
-        BodyPart::Arms => LOST_ARM,
-        BodyPart::Legs => LOST_LEG,
-        BodyPart::Feet => LOST_FOOT,
     }
 }
