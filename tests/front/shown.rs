@@ -65,6 +65,32 @@ fn what_is_shown_without_a_place_is_printed_or_written_under_its_nodes_name() {
 }
 
 #[test]
+fn what_another_program_made_is_named_when_it_is_shown() {
+    let place = Place::new();
+    place.run("run small.toml").code(0);
+    let show = || {
+        place
+            .run("show body --pipeline small.toml -o body.ply")
+            .code(0)
+    };
+    assert_eq!(show().err, "");
+    let runs = std::fs::read_dir(place.path("cache/runs")).unwrap();
+    let mut paths = runs.map(|entry| entry.unwrap().path());
+    let run = paths
+        .find(|path| path.extension().is_some_and(|e| e == "json"))
+        .unwrap();
+    let record = std::fs::read_to_string(&run).unwrap();
+    let stage = "\"stage\":\"synth.body\",\"version\":";
+    assert_eq!(record.matches(stage).count(), 1, "{record}");
+    std::fs::write(&run, record.replace(stage, &format!("{stage}9"))).unwrap();
+    let named = show().err;
+    assert!(
+        named.contains("another program, in which synth.body"),
+        "{named}"
+    );
+}
+
+#[test]
 fn a_girth_is_its_tape_wherever_it_is_asked_for() {
     let place = Place::new();
     place.write("doll.toml", doll());

@@ -73,6 +73,16 @@ fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> 
     needed.into_iter().all(|i| same(&graph.nodes[i]))
 }
 
+/// The first of the node and all that it needs whose stage had another version in a run.
+fn otherwise<'a>(run: &Value, graph: &'a Graph, node: usize) -> Option<&'a Bound> {
+    let other = |node: &&Bound| {
+        let version = entry(run, &node.name).and_then(|n| n["version"].as_u64());
+        version.is_some_and(|version| version != u64::from(node.stage.version()))
+    };
+    let needed = walk::all(graph, &[node]).into_iter();
+    needed.map(|i| &graph.nodes[i]).find(other)
+}
+
 /// A picture under another picture's ending would be opened by nobody.
 fn ending_fits(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Fault> {
     let printed = path.extension().unwrap_or_default().to_string_lossy();
@@ -211,6 +221,12 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
             "the cache holds no result of `{name}`{of}{so}; run the pipeline first"
         ))
     })?;
+    if let Some(node) = otherwise(&run, &graph, wanted) {
+        crate::errln!(
+            "{name} is of another program, in which {} was another version; run the pipeline for a new one",
+            node.stage.name()
+        );
+    }
     // Of the same run if it is there.
     let beside = graph.beside(wanted).and_then(|at| {
         let name = &graph.nodes[at].name;
