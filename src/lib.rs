@@ -25,17 +25,11 @@ pub use engine::{
     provenance, recipe, reference, schema, store, sweep, verify, walk, why,
 };
 
-/// Every kind of message of this program; those of stages are in their crates.
+/// Every kind of message of this program, folder by folder; those of stages are in their crates.
 #[cfg_attr(not(feature = "serve"), allow(dead_code))]
-pub(crate) const MESSAGES: &[&[stage::Template]] = &[
-    cli::MESSAGES[0],
-    cli::MESSAGES[1],
-    cli::MESSAGES[2],
-    cli::MESSAGES[3],
-    cli::MESSAGES[4],
-    cli::MESSAGES[5],
-    cli::MESSAGES[6],
-    words::alike::MESSAGES,
+pub(crate) const MESSAGES: &[&[&[stage::Template]]] = &[
+    cli::MESSAGES,
+    &[words::alike::MESSAGES],
     #[cfg(feature = "serve")]
-    serve::MESSAGES,
+    &[serve::MESSAGES],
 ];

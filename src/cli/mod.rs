@@ -34,7 +34,7 @@ pub use measuring::{Measured, measured};
 
 /// Every kind of message of these files.
 #[cfg_attr(not(feature = "serve"), allow(dead_code))]
-pub(crate) const MESSAGES: [&[stage::Template]; 7] = [
+pub(crate) const MESSAGES: &[&[stage::Template]] = &[
     delivered::MESSAGES,
     doctor::MESSAGES,
     folder::MESSAGES,

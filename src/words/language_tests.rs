@@ -1,7 +1,7 @@
 //! Both languages have the same texts, and numbers as they are written in each.
 
 use super::*;
-use crate::catalog::KINDS_OF_MESSAGES as KINDS;
+use crate::catalog::kinds_of_messages;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Each text's key with what is put into it.
@@ -29,11 +29,7 @@ fn keys(language: Language) -> BTreeMap<String, BTreeSet<String>> {
 
 /// Whether a text is that of a message.
 fn is_message(key: &str) -> bool {
-    let mut kinds = KINDS
-        .iter()
-        .flat_map(|of| of.iter())
-        .flat_map(|of| of.iter());
-    kinds.any(|kind| kind.code == key)
+    kinds_of_messages().any(|kind| kind.code == key)
 }
 
 #[test]

@@ -2,14 +2,13 @@
 //! terminal, as the stages have them. A sentence without a code stays as it is.
 
 use super::language::{Language, Words};
-use crate::catalog::KINDS_OF_MESSAGES as KINDS;
+use crate::catalog::kinds_of_messages;
 use fluent_bundle::FluentValue;
 use stage::{Field, Message, Template};
 
 /// The kind of message of a code.
 fn kind(code: &str) -> Option<&'static Template> {
-    let mut all = KINDS.iter().flat_map(|of_crate| of_crate.iter()).copied();
-    all.find_map(|of_file| of_file.iter().find(|kind| kind.code == code))
+    kinds_of_messages().find(|kind| kind.code == code)
 }
 
 /// What comes as a warning, and is none: nothing is wrong, and nothing has to be done.

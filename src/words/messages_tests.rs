@@ -19,11 +19,6 @@ const LEFT_OUT: [(&str, &str); 3] = [
     ("find-empty-plate", "name"),
 ];
 
-fn kinds() -> impl Iterator<Item = &'static Template> {
-    let files = KINDS.into_iter().flatten();
-    files.flat_map(|of_file| of_file.iter())
-}
-
 /// What a language's text of a code takes, if there is one.
 fn placed(language: Language, code: &str) -> Option<BTreeSet<String>> {
     let begin = format!("\n{code} =");
@@ -42,7 +37,7 @@ fn placed(language: Language, code: &str) -> Option<BTreeSet<String>> {
 #[test]
 fn no_code_is_there_twice_and_each_has_german_with_the_same_fields() {
     let mut seen = BTreeSet::new();
-    for kind in kinds() {
+    for kind in kinds_of_messages() {
         assert!(seen.insert(kind.code), "{} is there twice", kind.code);
         let fields: BTreeSet<String> = kind.fields().into_iter().map(String::from).collect();
         let left_out = |field: &String| LEFT_OUT.contains(&(kind.code, field.as_str()));
@@ -61,9 +56,8 @@ fn no_text_has_the_code_of_a_message_that_is_not_there() {
     for language in Language::ALL {
         for line in language.texts().lines() {
             let key = line.split(" =").next().unwrap_or_default();
-            let of_messages = ["warn-", "find-", "fail-"]
-                .iter()
-                .any(|b| key.starts_with(b));
+            let begins = ["warn-", "find-", "fail-", "cli-"];
+            let of_messages = begins.iter().any(|begin| key.starts_with(begin));
             assert!(!of_messages || kind(key).is_some(), "{key} is no code");
         }
     }
@@ -82,7 +76,7 @@ fn texts_of_stages_on_pages_name_no_flag_and_no_file_of_the_command_line() {
         "_mm",
     ];
     for words in [EN, DE] {
-        for kind in kinds() {
+        for kind in kinds_of_messages().filter(|kind| !kind.code.starts_with("cli-")) {
             let field = |name: &str| (name.to_owned(), "x".into());
             let fields = kind.fields().into_iter().map(field).collect();
             let message = Message::with_fields(kind, fields);
