@@ -3,7 +3,7 @@
 use crate::catalog::CATALOG;
 use crate::cli::{
     compare, delivered, doctor, ending, follow, init, mat, measure_args, measure_verb, measuring,
-    provenance, repeat, scoring,
+    provenance, repeat, scoring, spoken::Spoken,
 };
 use clap::{ArgMatches, Args, Command, FromArgMatches};
 use command::{Fault, Program, Verb};
@@ -46,7 +46,7 @@ const PRODUCT: Program = Program {
             arguments: |own| {
                 with::<init::Init>(own, "A commented capture.toml from what is in the photos")
             },
-            run: |stated, global| init::init(&read(stated)?, global),
+            run: |stated, global| spoken(init::init(&read(stated)?, global)),
             runs: true,
         },
         #[cfg(feature = "serve")]
@@ -56,7 +56,7 @@ const PRODUCT: Program = Program {
                 let about = "A page on this machine: drop photos, look at them, measure";
                 with::<crate::serve::Serve>(own, about)
             },
-            run: |stated, global| crate::serve::serve(&read(stated)?, global),
+            run: |stated, global| spoken(crate::serve::serve(&read(stated)?, global)),
             runs: true,
         },
         Verb {
@@ -92,7 +92,7 @@ const PRODUCT: Program = Program {
                 let about = "A printable marker mat for the disk: PDF or SVG at true scale";
                 with::<mat::MatArgs>(own, about)
             },
-            run: |stated, global| mat::mat(&read(stated)?, global),
+            run: |stated, global| spoken(mat::mat(&read(stated)?, global)),
             runs: false,
         },
         Verb {
@@ -119,6 +119,11 @@ const PRODUCT: Program = Program {
 /// A verb's arguments and its help.
 fn with<A: Args>(own: Command, about: &'static str) -> Command {
     A::augment_args(own).about(about)
+}
+
+/// What came of a verb that has no flag for the language: why nothing did in that of the environment.
+fn spoken(done: Result<(), Fault>) -> Result<(), Fault> {
+    Spoken::default().read(done)
 }
 
 /// What was given, as a verb's arguments.

@@ -3,14 +3,16 @@
 use super::facts::Facts;
 use super::folder;
 use super::provenance::get;
+use super::spoken::{Spoken, reported};
 use super::stated::opened;
 use crate::photos::photos;
 use crate::store::Store;
+use crate::words::language::Words;
+use crate::words::messages::read;
 use clap::Args;
-use command::text::count;
 use command::{Fault, GlobalArgs, execute};
 use serde_json::{Value, json};
-use shape::{Document, People, Photos, Tags};
+use shape::{Document, People, Photos, Tags, some_photos};
 use stage::Message;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,6 +22,7 @@ stage::messages! {
     ON_THE_SPOT = "find-can-turning": "a person turns before a fixed camera: without a disk, give --turning --stature CM";
     HAND_OVER = "find-mat-other-mend": "hand over the file of the mat on the disk with --mat, or correct `[mat]` in capture.toml";
     NOTHING = "find-can-no-mat": "no, with this mat: see above";
+    GONE = "fail-look-gone": "what was seen went out of the cache: run it again";
     /// Where --turning is given, and it does not.
     NOT_ON_THE_SPOT = "find-can-not-turning": "no: nobody turns before a fixed camera on these photos, or a disk or a mat is there";
 }
@@ -38,6 +41,8 @@ pub(crate) struct Doctor {
     /// Somebody turned on the spot, without a disk: what can be measured so, and nothing of a disk
     #[arg(long)]
     turning: bool,
+    #[command(flatten)]
+    spoken: Spoken,
     #[command(flatten)]
     facts: Facts,
 }
@@ -118,8 +123,7 @@ fn looked(
     };
     let outcome = execute(store, &graph, &folders, &wanted, &quiet, again)?;
     let document = get::<Document>(&graph, &outcome, "look");
-    let document = document
-        .ok_or_else(|| Fault::stage("what was seen went out of the cache: run it again"))?;
+    let document = document.ok_or_else(|| Fault::coded(&stage::message!(GONE)).of_stage())?;
     let mut findings: Value = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
     let mut warnings = looked.warnings;
     for done in outcome.nodes.iter().flatten() {
@@ -155,15 +159,15 @@ fn stop(findings: &mut Value, why: Message) {
     }
 }
 
-/// Looks at a capture. One of which nothing will come ends with 1.
+/// Looks at a capture. One of which nothing will come ends with 1. Faults are in the reader's language.
 pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
-    let mut look = look(
-        &args.folder,
-        &args.facts,
-        args.recursive,
-        args.video,
-        global,
-    )?;
+    args.spoken.read(reported_of(args, global))
+}
+
+/// What was seen, printed.
+fn reported_of(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
+    let (recursive, video) = (args.recursive, args.video);
+    let mut look = look(&args.folder, &args.facts, recursive, video, global)?;
     let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
     let turns = !stopped && on_the_spot(&look);
     if turns || args.turning {
@@ -185,7 +189,7 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
             serde_json::to_string_pretty(&found).expect("bug: JSON")
         );
     } else {
-        command::out!("{}", screen(&args.folder, &look));
+        command::out!("{}", screen(args.spoken.words(), &args.folder, &look));
     }
     match stopped {
         true => Err(Fault::stage("")),
@@ -210,91 +214,84 @@ fn entries(found: &Value) -> impl Iterator<Item = &Value> {
     found["findings"].as_array().into_iter().flatten()
 }
 
-/// Names of photos, the first few.
-fn some(photos: &Value) -> String {
-    let names: Vec<&str> = photos
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(Value::as_str)
-        .collect();
-    match names.len() {
-        0 => String::new(),
-        1..=5 => format!("{}: ", names.join(", ")),
-        more => format!("{}, … ({more} photos): ", names[..3].join(", ")),
-    }
-}
-
 /// How much noise the photos have.
-fn noise(found: &Value) -> String {
-    let against = match found["noise_against"].as_str() {
-        Some("plate") => "photos against the plate",
-        _ => "photos against their neighbours, where nothing moved",
+fn noise(words: Words, found: &Value) -> String {
+    let Some(levels) = found["noise_levels"].as_f64() else {
+        return words.text("doctor-noise-none");
     };
-    match found["noise_levels"].as_f64() {
-        Some(levels) => format!("noise: {levels:.1} grey levels ({against})\n"),
-        None => "noise: not measured (no two pictures show the same)\n".into(),
-    }
+    let key = match found["noise_against"].as_str() {
+        Some("plate") => "doctor-noise-plate",
+        _ => "doctor-noise-neighbours",
+    };
+    words.with(key, &[("levels", words.number(levels, 1).into())])
 }
 
 /// How bad something is, the worst first.
 pub(crate) const GRADES: [&str; 3] = ["stop", "doubt", "hint"];
 
 /// A line for all that is odd, the worst first; warnings are doubts.
-fn odd(look: &Look) -> Vec<String> {
+fn odd(words: Words, look: &Look) -> Vec<String> {
     let found = entries(&look.findings).map(|f| {
-        let [what, mend] = ["what", "mend"].map(|key| message(&f[key]));
-        let text = format!("{}{what} - {mend}", some(&f["photos"]));
+        let [what, mend] = ["what", "mend"].map(|key| reported(words, &message(&f[key])));
+        let names = f["photos"].as_array().into_iter().flatten();
+        let names: Vec<String> = names.filter_map(|n| Some(n.as_str()?.to_owned())).collect();
+        let photos = some_photos(&names).map(|names| read(words, &names) + ": ");
+        let text = format!("{}{what} - {mend}", photos.unwrap_or_default());
         (f["grade"].as_str().unwrap_or_default(), text)
     });
-    let warned = look.warnings.iter().map(|w| ("doubt", w.to_string()));
+    let warned = look.warnings.iter();
+    let warned = warned.map(|w| (GRADES[1], reported(words, w)));
     let mut all: Vec<(&str, String)> = found.chain(warned).collect();
     all.sort_by_key(|(grade, _)| GRADES.iter().position(|g| g == grade));
-    let line = |(grade, text): (&str, String)| format!("  {grade:<6} {text}\n");
+    let called = |grade: &str| words.text(&format!("doctor-{grade}"));
+    let wide = GRADES.iter().map(|grade| called(grade).chars().count());
+    let wide = wide.max().unwrap_or(0) + 1;
+    let line = |(grade, text): (&str, String)| format!("  {:<wide$} {text}\n", called(grade));
     all.into_iter().map(line).collect()
 }
 
-/// The answer for people.
-fn screen(folder: &Path, look: &Look) -> String {
-    let found = &look.findings;
-    let text = |key: &str| found[key].as_str().unwrap_or_default();
-    let mut facts = vec![
-        format!(
-            "{} of {}×{} pixels",
-            count(found["photos"].as_u64().unwrap_or(0) as usize, "photo"),
-            found["width"],
-            found["height"]
-        ),
-        text("camera").to_owned(),
+/// What the photos are, in a line.
+fn photographed(words: Words, found: &Value) -> String {
+    let count = found["photos"].as_u64().unwrap_or(0);
+    let size = format!("{}×{}", found["width"], found["height"]);
+    let put = [("count", count.into()), ("size", size.into())];
+    let plate = |name: &str| words.with("doctor-plate", &[("name", name.into())]);
+    let facts = [
+        words.with("doctor-photos", &put),
+        found["camera"].as_str().unwrap_or_default().to_owned(),
         found["focal_35mm"]
             .as_f64()
-            .map_or("focal length unknown".into(), |mm| format!("{mm:.0} mm")),
-        match found["plate"].as_str() {
-            Some(plate) => format!("with the empty scene ({plate})"),
-            None => "no photo of the empty scene".into(),
-        },
+            .map_or(words.text("focal-unknown"), |mm| format!("{mm:.0} mm")),
+        found["plate"]
+            .as_str()
+            .map_or(words.text("doctor-no-plate"), plate),
     ];
-    facts.retain(|fact| !fact.is_empty());
-    let mut stated = format!("{}: {}\n", folder.display(), facts.join(", "));
-    stated += &match text("motion") {
-        "turn" => format!(
-            "the camera stood still ({:.0} % of the picture does)\n",
-            found["still_pct"].as_f64().unwrap_or(0.0)
-        ),
-        _ => format!(
-            "the camera moved ({:.0} % of the picture do not move)\n",
-            found["still_pct"].as_f64().unwrap_or(0.0)
-        ),
+    let facts: Vec<String> = facts.into_iter().filter(|fact| !fact.is_empty()).collect();
+    facts.join(", ")
+}
+
+/// The answer for people.
+fn screen(words: Words, folder: &Path, look: &Look) -> String {
+    let found = &look.findings;
+    let still = words.number(found["still_pct"].as_f64().unwrap_or(0.0), 0);
+    let motion = match found["motion"].as_str() {
+        Some("turn") => "doctor-stood",
+        _ => "doctor-moved",
     };
-    stated += &noise(found);
-    let lines = odd(look);
+    let mut stated = format!("{}: {}\n", folder.display(), photographed(words, found));
+    stated += &format!(
+        "{}\n{}\n",
+        words.with(motion, &[("still", still.into())]),
+        noise(words, found)
+    );
+    let lines = odd(words, look);
     if !lines.is_empty() {
-        stated += "\nwhat is odd\n";
-        stated += &lines.concat();
+        stated += &format!("\n{}\n{}", words.text("doctor-odd"), lines.concat());
     }
-    stated += "\nwhat can be measured\n";
+    stated += &format!("\n{}\n", words.text("doctor-can"));
     for (what, how) in found["can"].as_object().into_iter().flatten() {
-        stated += &format!("  {what:<8} {}\n", message(how));
+        let what = words.text(&format!("doctor-{what}"));
+        stated += &format!("  {what:<8} {}\n", reported(words, &message(how)));
     }
     stated
 }

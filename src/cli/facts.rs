@@ -6,7 +6,19 @@ use super::numbers::Numbers;
 use super::stated::{All, Stated, place};
 use clap::Args;
 use command::Fault;
+use stage::{Message, message};
 use std::path::PathBuf;
+
+stage::messages! {
+    NO_STEPS = "cli-flag-steps": "{flag}: how many even steps has the full turn?";
+    NO_IDS = "cli-flag-ids": "{flag} {text}: give FIRST-LAST, such as 0-11";
+    NO_CENTRE = "cli-flag-centre": "{flag} {text}: give X,Y, such as 804.8,1191";
+    NO_REFERENCE = "cli-flag-reference": "{flag} {text}: give KIND=LENGTH, such as subject_height=165cm";
+    NO_LENGTH = "cli-flag-length": "{flag} {text}: {why}";
+    NO_ENDS = "cli-flag-seen": "{flag} {text}: give PHOTO=X1,Y1,X2,Y2, such as IMG_1.jpg=812,3011,1420,3055";
+    SEEN_TWICE = "cli-flag-twice": "{flag} {text}: {photo} was named before; once a photo";
+    NO_FACT = "cli-flag-fact": "{flag} {text}: give KEY=VALUE, such as subject.height_cm=178";
+}
 
 /// What is known of the capture; each wins over capture.toml.
 #[derive(Args, Clone, Default)]
@@ -126,7 +138,7 @@ impl Facts {
         self.numbers.stated(&mut all)?;
         if let Some(steps) = self.steps {
             let degrees = self.step_deg();
-            let none = || Fault::input("--steps 0: how many even steps has the full turn?");
+            let none = || Fault::coded(&message!(NO_STEPS, flag = "--steps 0"));
             all.put(
                 "--steps",
                 &steps,
@@ -164,7 +176,7 @@ impl Facts {
             let ends = text.split_once('-');
             let ends =
                 ends.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
-            let wrong = || Fault::input(format!("{flag} {text}: give FIRST-LAST, such as 0-11"));
+            let wrong = || Fault::coded(&message!(NO_IDS, flag = flag, text = text));
             let (first, last): (u32, u32) = ends.filter(|(a, b)| a <= b).ok_or_else(wrong)?;
             let ids = vec![i64::from(first).into(), i64::from(last).into()];
             all.put(flag, text, &format!("{key}.ids"), &toml::Value::Array(ids));
@@ -172,53 +184,49 @@ impl Facts {
             all.put(flag, text, &format!("{key}.count"), &count);
         }
         if let Some(text) = &self.centre_px {
-            let wrong =
-                || Fault::input(format!("--centre-px {text}: give X,Y, such as 804.8,1191"));
+            let flag = "--centre-px";
+            let wrong = || Fault::coded(&message!(NO_CENTRE, flag = flag, text = text));
             let pixel = numbers(text, 2).ok_or_else(wrong)?;
-            all.put("--centre-px", text, "camera.centre_px", &pixel);
+            all.put(flag, text, "camera.centre_px", &pixel);
         }
         if let Some(text) = &self.reference {
-            let like = "give KIND=LENGTH, such as subject_height=165cm";
-            let wrong = |why: &str| Fault::input(format!("--reference {text}: {why}"));
-            let (kind, length) = text.split_once('=').ok_or_else(|| wrong(like))?;
-            let mm = length_mm(length, "mm").map_err(|why| wrong(&why))?;
+            let flag = "--reference";
+            let none = || Fault::coded(&message!(NO_REFERENCE, flag = flag, text = text));
+            let (kind, length) = text.split_once('=').ok_or_else(none)?;
+            let wrong = |why: Message| message!(NO_LENGTH, flag = flag, text = text, why = why);
+            let mm = length_mm(length, "mm").map_err(|why| Fault::coded(&wrong(why)))?;
             let (kind, mm) = (toml::Value::from(kind.trim()), toml::Value::from(mm));
-            all.put("--reference", text, "reference.kind", &kind);
-            all.put("--reference", text, "reference.length_mm", &mm);
+            all.put(flag, text, "reference.kind", &kind);
+            all.put(flag, text, "reference.length_mm", &mm);
         }
         if !self.seen.is_empty() {
             let mut seen = toml::Table::new();
             for text in &self.seen {
                 let (photo, ends) = ends(text)?;
                 if seen.insert(photo.clone(), ends).is_some() {
-                    let twice = format!("--seen {text}: {photo} was named before; once a photo");
-                    return Err(Fault::input(twice));
+                    let twice = message!(SEEN_TWICE, flag = SEEN, text = text, photo = photo);
+                    return Err(Fault::coded(&twice));
                 }
             }
-            all.put(
-                "--seen",
-                &self.seen.join(" "),
-                "reference.seen",
-                &toml::Value::from(seen),
-            );
+            let seen = toml::Value::from(seen);
+            all.put(SEEN, &self.seen.join(" "), "reference.seen", &seen);
         }
         for text in &self.fact {
-            let wrong = || {
-                Fault::input(format!(
-                    "--fact {text}: give KEY=VALUE, such as subject.height_cm=178"
-                ))
-            };
+            let flag = "--fact";
+            let wrong = || Fault::coded(&message!(NO_FACT, flag = flag, text = text));
             let (key, value) = text.split_once('=').ok_or_else(wrong)?;
-            all.put("--fact", text, key.trim(), &value.trim());
+            all.put(flag, text, key.trim(), &value.trim());
         }
         Ok(())
     }
 }
 
+/// The flag of two ends of a length in a photo.
+const SEEN: &str = "--seen";
+
 /// A photo with the two ends of a length in it.
 fn ends(text: &str) -> Result<(String, toml::Value), Fault> {
-    let like = "give PHOTO=X1,Y1,X2,Y2, such as IMG_1.jpg=812,3011,1420,3055";
-    let wrong = || Fault::input(format!("--seen {text}: {like}"));
+    let wrong = || Fault::coded(&message!(NO_ENDS, flag = SEEN, text = text));
     let (photo, at) = text.rsplit_once('=').ok_or_else(wrong)?;
     Ok((photo.trim().to_owned(), numbers(at, 4).ok_or_else(wrong)?))
 }

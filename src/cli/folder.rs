@@ -15,6 +15,9 @@ stage::messages! {
     TOO_FEW = "fail-few-no-mat": "{folder} has {count} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then give --mat), or give the step between them, such as --step 20";
     UNREADABLE = "fail-folder": "{folder}: {why}; give a folder that is there and readable";
     NO_PHOTOS = "fail-no-photos": "there are no photos in {folder} (JPEG, PNG or TIFF): copy those of the turn there, or give --recursive where they are in folders below";
+    LEADS_OUT = "cli-images-lead-out": "`images` is {pattern}, which leads out of {folder}: photos must be in the folder itself or in folders below";
+    NOT_PHOTOS = "cli-convert": "{folder} holds no photo that can be read ({known}). Convert what is there:{ways}";
+    WAY = "cli-convert-way": "\n  {files}: ({way}){more}";
     NOT_READ = "warn-not-read": "{files}: not read; if they belong to the turn: ({way})";
 }
 
@@ -95,9 +98,8 @@ pub(super) fn look(
         few: None,
     };
     if let Some(out) = looked.patterns.iter().find(|p| !stays_inside(p)) {
-        return Err(Fault::input(format!(
-            "`images` is {out}, which leads out of {shown}: photos must be in the folder itself or in folders below"
-        )));
+        let why = message!(LEADS_OUT, pattern = out, folder = shown);
+        return Err(Fault::coded(&why));
     }
     if !matches!(looked.source, Source::Photos(_)) {
         looked.warnings.extend(looked.source.left_out(&names));
@@ -138,16 +140,14 @@ fn too_few(capture: &Path, facts: &Facts, file: &toml::Table, photos: usize) -> 
 
 /// What is in the folder and is not read; an error where there is nothing else.
 fn unread(capture: &Path, names: &[String], nothing_else: bool) -> Result<Vec<Message>, Fault> {
-    let (shown, strange) = (capture.display(), foreign(names));
+    let (shown, strange) = (capture.display().to_string(), foreign(names));
     if nothing_else && !strange.is_empty() {
-        let each = strange
-            .iter()
-            .map(|f| format!("  {}: (cd {shown} && {})", f.words(), f.way));
-        return Err(Fault::input(format!(
-            "{shown} holds no photo that can be read ({}). Convert what is there:\n{}",
-            READ.join(", "),
-            each.collect::<Vec<_>>().join("\n")
-        )));
+        let ways = strange.iter().rfold(Message::default(), |more, f| {
+            let way = format!("cd {shown} && {}", f.way);
+            message!(WAY, files = f.words(), way = way, more = more)
+        });
+        let why = message!(NOT_PHOTOS, folder = &shown, known = READ, ways = ways);
+        return Err(Fault::coded(&why));
     }
     let beside = strange.iter().map(|f| {
         let (files, way) = (f.words(), format!("cd {shown} && {}", f.way));

@@ -6,9 +6,16 @@ use crate::catalog::ringed;
 use clap::Args;
 use command::{Fault, GlobalArgs};
 use shape::Rig;
+use stage::message;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
+
+stage::messages! {
+    IS_FILE = "cli-init-file": "{file} is a file: give its folder, in which capture.toml will be written";
+    THERE = "cli-init-there": "{file} is there already and was left as it is";
+    NOT_WRITTEN = "cli-not-written": "cannot write {file}: {why}";
+}
 
 /// Arguments of `tailor init`.
 #[derive(Args)]
@@ -25,17 +32,13 @@ pub(crate) struct Init {
 /// Writes the file; one that is there is left as it is.
 pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
     if args.folder.is_file() {
-        return Err(Fault::input(format!(
-            "{} is a file: give its folder, in which capture.toml will be written",
-            args.folder.display()
-        )));
+        let file = args.folder.display().to_string();
+        return Err(Fault::coded(&message!(IS_FILE, file = file)));
     }
     let file = args.folder.join("capture.toml");
-    let shown = file.display();
+    let shown = file.display().to_string();
     if file.exists() {
-        return Err(Fault::input(format!(
-            "{shown} is there already and was left as it is"
-        )));
+        return Err(Fault::coded(&message!(THERE, file = shown)));
     }
     let seen = look(&args.folder, &args.facts, args.recursive, false, global)?;
     let whole = args
@@ -47,7 +50,7 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
         .unwrap_or("turn".as_ref())
         .to_string_lossy();
     let text = draft(&name, &seen, &args.facts)?;
-    let cannot = |e: std::io::Error| Fault::input(format!("cannot write {shown}: {e}"));
+    let cannot = |why: std::io::Error| not_written(&shown, &why);
     // Never over one that came meanwhile.
     let mut new = std::fs::File::create_new(&file).map_err(cannot)?;
     new.write_all(text.as_bytes()).map_err(cannot)?;
@@ -64,6 +67,12 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
         );
     }
     Ok(())
+}
+
+/// Why a file could not be written.
+pub(super) fn not_written(file: &str, why: &impl ToString) -> Fault {
+    let why = why.to_string();
+    Fault::coded(&message!(NOT_WRITTEN, file = file, why = why))
 }
 
 /// A key: given where its value is known, else a comment with what it may look like.

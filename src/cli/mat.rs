@@ -1,13 +1,18 @@
 //! `tailor mat`: a marker mat for a disk, to be printed.
 
+use super::init::not_written;
 use crate::catalog;
 use clap::Args;
 use command::{Fault, GlobalArgs};
 use shape::Document;
-use stage::{Ctx, Host, Metric, Value};
+use stage::{Ctx, Host, Metric, Value, message};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
+
+stage::messages! {
+    NO_PRINT = "cli-mat-ending": "{file}: a mat is written as .pdf or .svg; give the file one of these endings";
+}
 
 /// Arguments of `tailor mat`.
 #[derive(Args)]
@@ -64,10 +69,8 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let ending = args.o.extension().and_then(|e| e.to_str()).unwrap_or("");
     let ending = ending.to_lowercase();
     if !["pdf", "svg"].contains(&ending.as_str()) {
-        let shown = args.o.display();
-        return Err(Fault::input(format!(
-            "{shown}: a mat is written as .pdf or .svg; give the file one of these endings"
-        )));
+        let file = args.o.display().to_string();
+        return Err(Fault::coded(&message!(NO_PRINT, file = file)));
     }
     let (document, metrics) = laid_out(args, ending)?;
     // What capture.toml has of it, as the print itself has it.
@@ -79,7 +82,7 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     ] {
         let file = vec![(String::new(), bytes)];
         crate::delivery::write(path, &file)
-            .map_err(|e| Fault::input(format!("cannot write {}: {e}", path.display())))?;
+            .map_err(|why| not_written(&path.display().to_string(), &why))?;
     }
     let shown = args.o.display().to_string();
     let toml = toml.display().to_string();

@@ -1,7 +1,8 @@
 //! Arguments of `tailor measure`.
 
 use super::facts::Facts;
-use crate::words::language::{Language, Words};
+use super::spoken::Spoken;
+use crate::words::language::Words;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -77,9 +78,8 @@ pub(crate) struct Measure {
     /// What the screen and the report show lengths in; files stay in centimetres
     #[arg(long, value_enum, default_value = "cm")]
     pub(super) unit: Shown,
-    /// The language of the screen: en or de; that of the environment (LC_ALL, LC_MESSAGES, LANG) if not given
-    #[arg(long, value_name = "LANGUAGE", value_parser = ["en", "de"])]
-    pub(super) lang: Option<String>,
+    #[command(flatten)]
+    pub(super) spoken: Spoken,
     /// A line for each node of the pipeline while it runs
     #[arg(long)]
     pub(super) verbose: bool,
@@ -120,10 +120,9 @@ impl Measure {
 
     /// What the reader wants to read.
     pub(super) fn words(&self) -> Words {
-        let stated = self.lang.as_deref().and_then(Language::of);
         Words {
-            language: stated.unwrap_or_else(Language::of_environment),
             inches: self.inches(),
+            ..self.spoken.words()
         }
     }
 

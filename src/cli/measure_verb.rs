@@ -9,8 +9,6 @@ use super::stated::Stated;
 use crate::catalog::is_photo;
 use crate::delivery::Delivery;
 use crate::store::Store;
-use crate::words::language::Language;
-use crate::words::messages::in_words;
 use command::{Fault, GlobalArgs, whose};
 use serde_json::{Value, json};
 use stage::message;
@@ -18,26 +16,20 @@ use std::path::{Path, PathBuf};
 
 stage::messages! {
     FILES = "fail-photos-one-by-one": "these are photos of one folder, each of which would be a capture: tailor measure {folder}";
+    PROFILE = "cli-profile": "--profile is of one run: give one folder";
+    CAME_TO_NOTHING = "cli-captures": "{some} of {all} captures came to nothing: {folders}";
+    SAME_PLACE = "cli-same-place": "{one} and {other} would both be written to {place}: measure them one after the other, each with its own --out";
 }
 
 /// `tailor measure`: each folder on its own; one that fails does not stop the rest. Faults are in the reader's language.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
-    all(measure, global).map_err(|fault| read(measure, fault))
-}
-
-/// A fault in the reader's language, as far as it has codes.
-fn read(measure: &Measure, fault: Fault) -> Fault {
-    let words = measure.words();
-    match words.language {
-        Language::En => fault,
-        Language::De => fault.in_words(|why| in_words(words, why), &words.text("screen-again")),
-    }
+    measure.spoken.read(all(measure, global))
 }
 
 fn all(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let stated = measure.facts.stated()?;
     if measure.profile.is_some() && measure.folders.len() > 1 {
-        return Err(Fault::input("--profile is of one run: give one folder"));
+        return Err(Fault::coded(&message!(PROFILE)));
     }
     if let Some(folder) = one_folder(&measure.folders) {
         return Err(Fault::coded(&message!(FILES, folder = folder)));
@@ -89,7 +81,8 @@ fn many(measure: &Measure, stated: &[Stated], global: &GlobalArgs) -> Result<(),
         if !global.json && !global.quiet {
             command::errln!("{shown}:");
         }
-        match one(measure, capture, Some(out), stated, global) {
+        let done = one(measure, capture, Some(out), stated, global);
+        match measure.spoken.read(done) {
             Ok(measured) => {
                 let (out, run) = (measured.out.display().to_string(), measured.run());
                 let row = cohort::Row::measured(capture, &measured);
@@ -100,7 +93,6 @@ fn many(measure: &Measure, stated: &[Stated], global: &GlobalArgs) -> Result<(),
             // The user asked to stop.
             Err(fault) if fault.code() == 130 => return Err(fault),
             Err(fault) => {
-                let fault = read(measure, fault);
                 if !global.json {
                     command::errln!("{shown}: {}", fault.text());
                 }
@@ -127,12 +119,11 @@ fn many(measure: &Measure, stated: &[Stated], global: &GlobalArgs) -> Result<(),
         [] => Ok(()),
         // With JSON the answers have it.
         _ if global.json => Err(Fault::stage("")),
-        some => Err(Fault::stage(format!(
-            "{} of {} captures came to nothing: {}",
-            some.len(),
-            places.len(),
-            some.join(", ")
-        ))),
+        folders => {
+            let (some, all) = (folders.len(), places.len());
+            let why = message!(CAME_TO_NOTHING, some = some, all = all, folders = folders);
+            Err(Fault::coded(&why).of_stage())
+        }
     }
 }
 
@@ -180,12 +171,11 @@ fn places(measure: &Measure) -> Result<Vec<PathBuf>, Fault> {
             None => alone,
         };
         if let Some(at) = places.iter().position(|p| *p == place) {
-            return Err(Fault::input(format!(
-                "{} and {} would both be written to {}: measure them one after the other, each with its own --out",
-                measure.folders[at].display(),
-                capture.display(),
-                place.display()
-            )));
+            let shown = |path: &Path| path.display().to_string();
+            let one = shown(&measure.folders[at]);
+            let (other, place) = (shown(capture), shown(&place));
+            let why = message!(SAME_PLACE, one = one, other = other, place = place);
+            return Err(Fault::coded(&why));
         }
         places.push(place);
     }

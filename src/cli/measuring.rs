@@ -21,10 +21,14 @@ use command::{Fault, GlobalArgs, Job, Ran, check_out, execute};
 use engine::Outcome;
 use serde_json::Value;
 use shape::{Cameras, Girths};
-use stage::Message;
+use stage::{Message, message};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+stage::messages! {
+    ONE = "cli-one-capture": "one capture at a time: give one folder";
+}
 
 /// Who makes a first answer while the whole is on its way: for a person who waits, and where the pipeline has
 /// one that differs from the whole only in where it stops.
@@ -77,7 +81,7 @@ impl Measured {
 pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, Fault> {
     let measure: Measure = words::arguments(arguments.iter().map(OsString::from).collect())?;
     let [capture] = measure.folders.as_slice() else {
-        return Err(Fault::input("one capture at a time: give one folder"));
+        return Err(Fault::coded(&message!(ONE)));
     };
     if measure.private {
         let what = "--private belongs to the command line: here, give a cache that you remove";
@@ -147,7 +151,7 @@ pub(crate) fn ahead(measure: &Measure) -> Result<Job, Fault> {
     let (capture, nodes) = match (folders.as_slice(), words.as_slice()) {
         ([capture], nodes) => (*capture, nodes),
         ([], [capture, nodes @ ..]) => (*capture, nodes),
-        _ => return Err(Fault::input("one capture at a time: give one folder")),
+        _ => return Err(Fault::coded(&message!(ONE))),
     };
     let stated = measure.facts.stated()?;
     let (ready, _) = prepared(measure, capture, measure.out.as_deref(), &stated)?;

@@ -27,6 +27,7 @@ pub(crate) mod repeat;
 pub(crate) mod scoring;
 mod screen;
 mod source;
+pub(crate) mod spoken;
 mod stated;
 pub(crate) mod words;
 
@@ -37,9 +38,15 @@ pub use measuring::{Measured, measured};
 pub(crate) const MESSAGES: &[&[stage::Template]] = &[
     delivered::MESSAGES,
     doctor::MESSAGES,
+    facts::MESSAGES,
     folder::MESSAGES,
+    init::MESSAGES,
+    length::MESSAGES,
+    mat::MESSAGES,
     mat_file::MESSAGES,
     measure_verb::MESSAGES,
+    measuring::MESSAGES,
     numbers::MESSAGES,
+    pipeline::MESSAGES,
     source::MESSAGES,
 ];

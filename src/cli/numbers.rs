@@ -12,6 +12,8 @@ stage::messages! {
     IN_METRES = "number-in-metres": "; did you mean {metres}m?";
     BEYOND = "fail-number-beyond": "{flag}: `{text}` is not from {least} to {most}{unit}{hint}";
     UNREADABLE = "fail-number": "{flag}: {why}";
+    NO_NUMBER = "cli-no-number": "`{text}` is not a number";
+    NOT_WHOLE = "cli-no-whole-number": "`{text}` is not a whole number";
 }
 
 /// What was given, by flag.
@@ -76,8 +78,7 @@ fn value(known: &Known, text: &str) -> Result<toml::Value, Message> {
     ))
 }
 
-fn read(known: &Known, text: &str) -> Result<toml::Value, String> {
-    let none = |like: &str| format!("`{text}` is not {like}");
+fn read(known: &Known, text: &str) -> Result<toml::Value, Message> {
     Ok(match known.of {
         Quantity::Length(unit) => {
             let per = if unit == "cm" { 10.0 } else { 1.0 };
@@ -87,11 +88,11 @@ fn read(known: &Known, text: &str) -> Result<toml::Value, String> {
         Quantity::Age => (age_months(text)? / 12.0).into(),
         Quantity::Number(_) => {
             let number = text.trim().parse::<f64>();
-            number.map_err(|_| none("a number"))?.into()
+            number.map_err(|_| message!(NO_NUMBER, text = text))?.into()
         }
         Quantity::Count => {
             let count = text.trim().parse::<i64>();
-            count.map_err(|_| none("a whole number"))?.into()
+            count.map_err(|_| message!(NOT_WHOLE, text = text))?.into()
         }
     })
 }

@@ -6,7 +6,12 @@ use super::source::Source;
 use super::stated::{Stated, opened};
 use crate::graph::Graph;
 use command::Fault;
+use stage::message;
 use std::path::PathBuf;
+
+stage::messages! {
+    OF_PHOTOS = "cli-of-photos": "{flag}: of photos; a scan takes --unit-of-file and --up";
+}
 
 /// The variant of pipelines that stops at the coarse surface.
 const FAST: &str = "fast";
@@ -24,10 +29,7 @@ pub(super) fn pipeline(
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
     if let Source::Scan(..) = source {
         if let Some(fact) = stated.first() {
-            return Err(Fault::input(format!(
-                "{}: of photos; a scan takes --unit-of-file and --up",
-                fact.flag
-            )));
+            return Err(Fault::coded(&message!(OF_PHOTOS, flag = &fact.flag)));
         }
         let sets: Vec<String> = measure
             .scan()

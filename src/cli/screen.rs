@@ -1,8 +1,9 @@
 //! The last screen of `tailor measure`: what was measured, what was not, and where it is.
 
 use super::columns::broken;
+use super::spoken::reported;
 use crate::words::language::{Language, Words};
-use crate::words::messages::{in_words, read};
+use crate::words::messages::read;
 use shape::{Cameras, Girth, Girths, Scale, Score, Unit, by_reason, girth_names};
 use stage::Message;
 
@@ -217,14 +218,6 @@ pub(crate) fn warned(words: Words, warnings: &[Message], columns: usize) -> Stri
         text += &broken(&format!("  {}", reported(words, warning)), 4, columns);
     }
     text
-}
-
-/// A message of a stage. The English texts of pages speak of their fields where stages speak of flags.
-fn reported(words: Words, message: &Message) -> String {
-    match words.language {
-        Language::En => message.to_string(),
-        Language::De => in_words(words, message),
-    }
 }
 
 /// A name as it is written within a line: only German begins nouns with a capital.

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 stage::messages! {
     NO_FOLDER = "fail-no-folder": "{file} is a file: hand over the folder with all photos of the turn, a video (mp4, mov, mkv, …), or a scan (ply, obj, stl, off, glb, 3mf)";
+    NO_VIDEO = "cli-folder-no-video": "{folder} holds no video (mp4, mov, mkv, …)";
     ONLY_VIDEO = "warn-only-video": "the video is read, not what is beside it: {count} {count|photo|photos} ({first}, …)";
 }
 
@@ -51,10 +52,10 @@ impl Source {
         let video_here = |name: &str| is_video(name) && !name.contains('/');
         match (there(is_photo), there(video_here), there(is_raw)) {
             (_, true, _) if video => Ok(Source::Video(folder, None)),
-            _ if video => Err(Fault::input(format!(
-                "{} holds no video (mp4, mov, mkv, …)",
-                folder.display()
-            ))),
+            _ if video => {
+                let folder = folder.display().to_string();
+                Err(Fault::coded(&message!(NO_VIDEO, folder = folder)))
+            }
             (false, true, _) => Ok(Source::Video(folder, None)),
             (false, false, true) => Ok(Source::Raw(folder)),
             _ => Ok(Source::Photos(folder)),

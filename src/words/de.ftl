@@ -295,8 +295,58 @@ screen-again = Wiederholen
 screen-files = alle Dateien: { $path }
 screen-report = Bericht:      { $path }
 
+# `tailor doctor`
+doctor-photos = { $count ->
+    [one] ein Foto mit { $size } Pixeln
+   *[other] { $count } Fotos mit { $size } Pixeln
+}
+doctor-plate = mit leerer Szene ({ $name })
+doctor-no-plate = kein Foto der leeren Szene
+doctor-stood = die Kamera bewegte sich nicht ({ $still } % des Bildes bleiben gleich)
+doctor-moved = die Kamera bewegte sich ({ $still } % des Bildes bleiben gleich)
+doctor-noise-plate = Rauschen: { $levels } Graustufen (Fotos gegen das der leeren Szene)
+doctor-noise-neighbours = Rauschen: { $levels } Graustufen (Fotos gegen ihre Nachbarn, wo sich nichts bewegte)
+doctor-noise-none = Rauschen: nicht gemessen (keine zwei Bilder zeigen dasselbe)
+doctor-odd = Was auffällt
+doctor-stop = so nicht
+doctor-doubt = Zweifel
+doctor-hint = Hinweis
+doctor-can = Was sich messen lässt
+doctor-cameras = Kameras
+doctor-lengths = Längen
+doctor-girths = Umfänge
+doctor-turning = Drehung
+
+# Was nur die Befehlszeile meldet, mit ihren Schaltern und Dateien
+cli-captures = { $some } von { $all } Aufnahmen wurden nichts: { $folders }
+cli-convert = in { $folder } ist kein Foto, das gelesen werden kann ({ $known }). Umwandeln, was da ist:{ $ways }
+cli-convert-way = {"\u000A"}  { $files }: ({ $way }){ $more }
+cli-flag-centre = { $flag } { $text }: X,Y angeben, etwa 804.8,1191
+cli-flag-fact = { $flag } { $text }: SCHLÜSSEL=WERT angeben, etwa subject.height_cm=178
+cli-flag-ids = { $flag } { $text }: ERSTE-LETZTE angeben, etwa 0-11
+cli-flag-length = { $flag } { $text }: { $why }
+cli-flag-reference = { $flag } { $text }: ART=LÄNGE angeben, etwa subject_height=165cm
+cli-flag-seen = { $flag } { $text }: FOTO=X1,Y1,X2,Y2 angeben, etwa IMG_1.jpg=812,3011,1420,3055
+cli-flag-steps = { $flag }: wie viele gleiche Schritte hat die volle Drehung?
+cli-flag-twice = { $flag } { $text }: { $photo } kam schon vor; jedes Foto einmal angeben
+cli-folder-no-video = in { $folder } ist kein Video (mp4, mov, mkv, …)
+cli-images-lead-out = `images` ist { $pattern } und führt aus { $folder } hinaus: Fotos müssen im Ordner selbst oder in Ordnern darin sein
+cli-init-file = { $file } ist eine Datei: den Ordner angeben, in den capture.toml geschrieben wird
+cli-init-there = { $file } gibt es schon und blieb, wie es war
+cli-mat-ending = { $file }: eine Matte wird als .pdf oder .svg geschrieben; der Datei eine dieser Endungen geben
+cli-no-age = { $text } ist kein Alter wie 9.5, 9y6mo oder 114mo
+cli-no-length = { $text } ist keine Länge wie 178, 178cm, 1.78m, 70in oder 5ft10in
+cli-no-number = { $text } ist keine Zahl
+cli-no-weight = { $text } ist kein Gewicht wie 80, 80kg oder 176lb
+cli-no-whole-number = { $text } ist keine ganze Zahl
+cli-not-written = { $file } kann nicht geschrieben werden: { $why }
+cli-of-photos = { $flag }: gilt für Fotos; zu einer Oberfläche gehören --unit-of-file und --up
+cli-one-capture = eine Aufnahme auf einmal: einen Ordner angeben
+cli-profile = --profile ist für einen Lauf: einen Ordner angeben
+cli-same-place = { $one } und { $other } kämen beide nach { $place }: nacheinander messen, jede mit eigenem --out
+
 # Meldungen nach ihren Codes; auf Seiten gibt es Felder und Umrisse, keine Schalter, Dateien und Masken.
-fail-adrift = { $few } von { $of } Fotos haben weniger als { $least } Merkmale ({ $names }), so dass nichts sagt, wo ihre Kameras standen: Sind sie in der Reihenfolge der Drehung, in Schritten unter 30°? Ging die Kamera um eine stehende Person herum (dann oben angeben)? Ein gemustertes Tuch oder eine gedruckte Markenmatte auf der Scheibe hilft
+fail-adrift = { $few } von { $of } Fotos haben weniger als { $least } Merkmale ({ $names }), so dass nichts sagt, wo ihre Kameras standen: Sind sie in der Reihenfolge der Drehung, in Schritten unter 30°? Ging die Kamera um eine stehende Person herum (dann das angeben)? Ein gemustertes Tuch oder eine gedruckte Markenmatte auf der Scheibe hilft
 fail-all-differs = { $name }: Fast alles darin unterscheidet sich von der leeren Szene: Wurde die Kamera bewegt oder das Licht geändert, während die Fotos aufgenommen wurden?
 fail-apart = die Fotos haben zu wenige Merkmale gemeinsam, die sich mit der Scheibe drehen ({ $pairs } von { $of } benachbarten Fotos haben genug): ein gemustertes Tuch oder eine gedruckte Markenmatte auf die Scheibe legen oder in kleineren Schritten fotografieren
 fail-bug = ein Programmfehler: Es brach ab; was getan ist, bleibt erhalten
@@ -311,7 +361,8 @@ fail-hull-contradicted = kein Punkt des Raums ist auf allen Fotos Körper: Der U
 fail-hull-few = nur { $count } Fotos haben sowohl einen Umriss als auch eine Kamera, eine Hülle braucht aber mindestens 3
 fail-hull-memory = Zellen von { $voxel_mm } mm bräuchten etwa { $need } Speicher, aber nur { $most } dürfen belegt werden: Stimmt der Maßstab (Körpergröße, Matte, Scheibe)? Eine erste Ansicht nimmt gröbere Zellen
 fail-hull-nothing = kein Punkt des Raums ist auf { $share } der Fotos Körper: Gehören Umrisse und Kameras zusammen? Die Umrisse ansehen
-fail-loose = Merkmale liegen { $rms } neben ihrem Platz (bis { $most } ist zu trauen), also ist den Kameras nicht zu trauen: zu wenig Struktur, eine Person, die sich bewegt hat, Fotos nicht in der Reihenfolge der Drehung, oder eine Kamera, die herumging (dann oben angeben); ein gemustertes Tuch oder eine gedruckte Markenmatte auf die Scheibe legen
+fail-look-gone = was zu sehen war, ist nicht mehr im Zwischenspeicher: noch einmal ansehen
+fail-loose = Merkmale liegen { $rms } neben ihrem Platz (bis { $most } ist zu trauen), also ist den Kameras nicht zu trauen: zu wenig Struktur, eine Person, die sich bewegt hat, Fotos nicht in der Reihenfolge der Drehung, oder eine Kamera, die herumging (dann das angeben); ein gemustertes Tuch oder eine gedruckte Markenmatte auf die Scheibe legen
 fail-mask-empty = der Umriss von { $name } ist { $what }: ihn berichtigen oder entfernen
 fail-mat-misfit = die Matte passt nicht zu dem, was angegeben ist: Ihre Marken liegen { $rms } neben ihrem Platz; eine gedruckte Marke noch einmal messen
 fail-mat-unseen = nur { $seen } von { $of } Fotos zeigen zwei Marken der Matte: das Licht auf der Scheibe, den Bildausschnitt und die Größe einer Marke prüfen
@@ -322,7 +373,7 @@ fail-no-images = als Fotos sind { $pattern } angegeben, aber { $found }: bericht
 fail-no-photos = in { $folder } sind keine Fotos (JPEG, PNG oder TIFF): die der Drehung hineinlegen
 fail-no-picture = { $name } ist kein lesbares Bild ({ $why }); noch einmal als JPEG, PNG oder TIFF speichern oder weglassen
 fail-no-plate = es gibt kein Foto der leeren Szene, und ohne Kameras lässt sich der Körper nicht vom Raum trennen: ein Foto derselben Szene ohne die Person aufnehmen
-fail-no-ring = die Kameras liegen { $off } neben einem Ring, also ist ihnen nicht zu trauen: Ging die Kamera um eine stehende Person herum (dann oben angeben)? Sind die Fotos in der Reihenfolge der Drehung und die Schritte unter 25°? Brennweite, Schritte der Drehung oder eine gedruckte Markenmatte auf der Scheibe helfen
+fail-no-ring = die Kameras liegen { $off } neben einem Ring, also ist ihnen nicht zu trauen: Ging die Kamera um eine stehende Person herum (dann das angeben)? Sind die Fotos in der Reihenfolge der Drehung und die Schritte unter 25°? Brennweite, Schritte der Drehung oder eine gedruckte Markenmatte auf der Scheibe helfen
 fail-no-subject = { $name }: Nichts darin unterscheidet sich von der leeren Szene: Ist die Person darauf, oder wurde die Kamera nach dem Foto der leeren Szene bewegt?
 fail-no-such-plate = als leere Szene ist { $name } angegeben, aber diese Datei gibt es nicht{ $near }: berichtigen oder weglassen (ein Foto namens plate.jpg wird auch so gefunden)
 fail-no-texture = weder Marken einer angegebenen Matte noch Merkmale, die sich mit der Scheibe drehen, wurden gefunden, so dass nichts sagt, wo die Kamera stand: Sind die Fotos in der Reihenfolge der Drehung, in Schritten unter 30°? Ein gemustertes Tuch oder eine gedruckte Markenmatte auf der Scheibe hilft
@@ -356,7 +407,7 @@ fail-turning-no-trunk = auf { $names } sind Schultern, Hüfte oder Kopf nicht im
 fail-turning-nobody = nur { $seen } von { $of } Fotos zeigen, wer sich dreht (mindestens { $least } müssen es): Ist es eine Person, ganz und allein im Bild, und ist es hell genug?
 fail-turning-open = zwischen { $before } und { $after } hat sich der Körper um { $degrees } ohne Foto gedreht (höchstens { $most } dürfen es sein): sich langsam einmal ganz herum drehen und alle 15° ein Foto aufnehmen
 fail-turning-upside-down = die Person steht auf den Fotos auf dem Kopf: Fotos richtig herum drehen und noch einmal übergeben
-fail-unexplained = keine Drehung um eine Achse erklärt die Merkmale: Nur { $share } passen; hat sich die Kamera bewegt (ging sie um die Person herum? oben angeben), sind die Fotos nicht in der Reihenfolge der Drehung, oder füllt der Hintergrund sie? Eine gedruckte Markenmatte auf der Scheibe hilft
+fail-unexplained = keine Drehung um eine Achse erklärt die Merkmale: Nur { $share } passen; hat sich die Kamera bewegt (ging sie um die Person herum? dann angeben), sind die Fotos nicht in der Reihenfolge der Drehung, oder füllt der Hintergrund sie? Eine gedruckte Markenmatte auf der Scheibe hilft
 fail-upside-down = die Fotos stehen auf dem Kopf: Von der Matte aus liegt oben an ihrem unteren Rand. Um 180° drehen, in einem Programm, das sie so speichert
 fail-video-changes = die Bilder von { $name } ändern ab Bild { $frame } ihre Größe: eine einzige Aufnahme nehmen, nicht mehrere aneinander gehängte
 fail-video-long = { $name } dauert { $minutes }, und mehr als { $most } min werden nicht durchgesehen: auf die Drehung kürzen
@@ -378,6 +429,22 @@ fail-walk-open = die Kameras lassen { $gap } um die Person offen: ganz herumgehe
 fail-walk-still = die Kamera ging nicht herum: Von dem, was die Fotos gemeinsam haben, stehen { $still } Merkmale im Bild still und nur { $moved } bewegen sich; wenn sich die Person vor einer Kamera auf dem Stativ gedreht hat, oben das Häkchen bei der herumgegangenen Kamera entfernen
 fail-walk-unsettled = die Umrisse kommen nicht zur Ruhe: Die der letzten beiden Durchgänge stimmen nur zu { $share } überein ({ $least } werden verlangt): vor einem anderen Hintergrund aufnehmen
 fail-walk-views = nur { $found } Fotos haben eine Kamera, aber um eine Person durch Herumgehen vom Raum zu trennen, braucht es mindestens { $least }: mehr Fotos aufnehmen, ganz herum
+files-heic = { $count ->
+    [one] ein HEIC-Foto
+   *[other] { $count } HEIC-Fotos
+} ({ $files }{ $more })
+files-other = { $count ->
+    [one] ein Bild in einem anderen Format
+   *[other] { $count } Bilder in anderen Formaten
+} ({ $files }{ $more })
+files-raw = { $count ->
+    [one] ein Rohfoto
+   *[other] { $count } Rohfotos
+} ({ $files }{ $more })
+files-video = { $count ->
+    [one] ein Video
+   *[other] { $count } Videos
+} ({ $files }{ $more })
 find-arms = was sich bewegt, reicht an beide Seiten: Arme sind vielleicht abgeschnitten, oder hinter der Person gehen andere
 find-arms-mend = zurücktreten und den Hintergrund ruhig halten
 find-black = auf einem Zehntel des Bildes oder mehr schwarz
@@ -398,13 +465,13 @@ find-can-turning = eine Person dreht sich vor einer festen Kamera: ohne Drehsche
 find-can-walked = nicht als Drehung
 find-empty = die Person, die alle anderen Fotos zeigen, ist hier nicht zu sehen
 find-empty-mend = weglassen oder noch einmal aufnehmen
-find-empty-plate = zeigt es die leere Szene, dann oben als deren Foto angeben; sonst weglassen oder noch einmal aufnehmen
+find-empty-plate = zeigt es die leere Szene, dann als deren Foto angeben; sonst weglassen oder noch einmal aufnehmen
 find-feet = der Körper ist am unteren Rand abgeschnitten
 find-feet-mend = die ganze Person im Bild behalten, mit Platz unter den Füßen: Ohne Füße ist keine Höhe bekannt, und kein Umfang wird angegeben
 find-few = { $count } Fotos sind wenige: Ohne Matte werden Merkmale über höchstens 30° verfolgt
 find-few-mend = 18 bis 36 Fotos einer vollen Drehung aufnehmen oder eine Matte auf die Scheibe legen
 find-focal = nichts verrät die Brennweite
-find-focal-mend = EXIF in den Fotos lassen oder die Brennweite oben angeben
+find-focal-mend = EXIF in den Fotos lassen oder die Brennweite angeben
 find-from-disk = Durchmesser der Scheibe, falls ihr Rand zu sehen ist
 find-from-mat = Matte mit Marken
 find-from-reference = bekannte Länge
@@ -418,13 +485,13 @@ find-gap-mend = nachsehen, ob dort ein Foto fehlt
 find-head = was sich bewegt, reicht an den oberen Rand: Der Kopf ist vielleicht abgeschnitten
 find-head-mend = über dem Kopf Platz lassen
 find-length = keine Länge ist bekannt: Längen werden relativ
-find-length-mend = oben Körpergröße oder Drehscheibe angeben oder eine Matte auf die Scheibe legen
+find-length-mend = Körpergröße oder Drehscheibe angeben oder eine Matte auf die Scheibe legen
 find-lost-mend = mit fester Belichtung noch einmal aufnehmen
 find-mat = eine Matte ist angegeben, aber keine ihrer Marken wurde gefunden
 find-mat-mend = ist sie im Bild, gut beleuchtet und flach?
 find-mat-other-mend = die Datei der Matte angeben, die auf der Scheibe liegt, oder die Angaben der Matte berichtigen
 find-moved = nur { $still } des Bildes stehen still: Die Kamera oder alles hinter der Person bewegte sich zwischen den Fotos
-find-moved-mend = für eine Drehung gehört die Kamera auf ein Stativ und die Person auf eine Drehscheibe; wurde die Kamera um eine stehende Person herumgetragen? Dann oben angeben
+find-moved-mend = für eine Drehung gehört die Kamera auf ein Stativ und die Person auf eine Drehscheibe; wurde die Kamera um eine stehende Person herumgetragen? Dann das angeben
 find-noise = die Fotos rauschen um { $levels } Graustufen
 find-noise-mend = Umrissen können Teile fehlen, wo Kleidung die Farbe des Hintergrunds hat: bei mehr Licht, mit niedrigerem ISO-Wert oder in Kleidung aufnehmen, die sich mehr vom Hintergrund unterscheidet
 find-pixels = Fotos von { $width } × { $height } Pixeln sind klein
@@ -634,7 +701,7 @@ warn-spline-left = die glatte Kurve durch Punkte der Oberfläche (Spline) liegt 
 warn-split = die Arme berühren den Rumpf und wurden geschätzt abgetrennt: Die Bereiche sind weiter; die Arme weiter vom Körper weg halten
 warn-surface-fault = { $name }: { $fault }; Querschnitte dort fehlen vielleicht
 warn-swayed = die Person bewegte sich gegen die Scheibe: Objektiv und Schritte blieben, wie sie angegeben sind, und wie sicher die Kameras sind, ist nicht bekannt
-warn-tags-mat = sie liegen wie auf einer Matte von tailor ({ $count } Marken auf einem Ring vom { $ring }-fachen einer Marke): die Kante des schwarzen Quadrats einer gedruckten Marke messen, etwa 60 mm, und oben als „Marke der Matte“ angeben
+warn-tags-mat = sie liegen wie auf einer Matte von tailor ({ $count } Marken auf einem Ring vom { $ring }-fachen einer Marke): die Kante des schwarzen Quadrats einer gedruckten Marke messen, etwa 60 mm, und als „Marke der Matte“ angeben
 warn-tags-strange = sie liegen nicht wie auf einer Matte von tailor: sie abdecken
 warn-tags-unused = Marken (Familie 36h11, Nummern { $first } bis { $last }) sind auf { $seen } von { $photos } abgesuchten Fotos zu sehen, aber nichts ist über sie angegeben, darum werden sie nicht benutzt; { $layout }
 warn-tall = {" "}({ $height } groß)

@@ -295,6 +295,28 @@ screen-again = to repeat it
 screen-files = all files: { $path }
 screen-report = report:    { $path }
 
+# `tailor doctor`
+doctor-photos = { $count ->
+    [one] 1 photo of { $size } pixels
+   *[other] { $count } photos of { $size } pixels
+}
+doctor-plate = with the empty scene ({ $name })
+doctor-no-plate = no photo of the empty scene
+doctor-stood = the camera stood still ({ $still } % of the picture does)
+doctor-moved = the camera moved ({ $still } % of the picture do not move)
+doctor-noise-plate = noise: { $levels } grey levels (photos against the plate)
+doctor-noise-neighbours = noise: { $levels } grey levels (photos against their neighbours, where nothing moved)
+doctor-noise-none = noise: not measured (no two pictures show the same)
+doctor-odd = what is odd
+doctor-stop = stop
+doctor-doubt = doubt
+doctor-hint = hint
+doctor-can = what can be measured
+doctor-cameras = cameras
+doctor-lengths = lengths
+doctor-girths = girths
+doctor-turning = turning
+
 # Messages by their codes, where a page needs other words than a terminal: it has fields and outlines, no flags, files or masks. The
 # other messages are as the stages have them (`messages!` and `failures!`).
 fail-adrift = { $few } of { $of } photos hold on to fewer than { $least } features ({ $names }), so the cameras' places are not known: are they in turning order, at steps below 30°? Was the camera walked around somebody who did not move (then mark it above)? A patterned cloth or a printed mat of tags on the disk helps

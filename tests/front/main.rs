@@ -11,6 +11,7 @@ mod first_answer;
 mod foreign;
 mod foreign_measured;
 mod forgetting;
+mod german;
 mod keeping;
 mod layouts;
 mod limits;

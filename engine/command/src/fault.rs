@@ -36,6 +36,12 @@ impl Fault {
         }
     }
 
+    /// The same, of a stage that failed.
+    #[must_use]
+    pub fn of_stage(self) -> Fault {
+        Fault { code: 1, ..self }
+    }
+
     /// The pipeline is wrong: every mistake with its place.
     pub fn mistakes(mistakes: Mistakes) -> Fault {
         let text = mistakes.to_string();
@@ -63,10 +69,7 @@ impl Fault {
 
     /// A stage failed.
     pub fn stage(text: impl ToString) -> Fault {
-        Fault {
-            code: 1,
-            ..Fault::input(text)
-        }
+        Fault::input(text).of_stage()
     }
 
     /// Nodes failed: each with why; `again` is the command that repeats it, if there is one.

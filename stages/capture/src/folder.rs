@@ -1,5 +1,14 @@
 //! What is in the user's folder besides photos that can be read, and the command that makes photos of it.
 
+use stage::{Field, Message, Template};
+
+stage::messages! {
+    HEIC = "files-heic": "{count} HEIC {count|photo|photos} ({files}{more})";
+    VIDEO = "files-video": "{count} {count|video|videos} ({files}{more})";
+    RAW = "files-raw": "{count} raw {count|photo|photos} ({files}{more})";
+    OTHER = "files-other": "{count} {count|picture of another format|pictures of other formats} ({files}{more})";
+}
+
 /// Endings of photos that are read.
 pub const READ: &[&str] = match cfg!(feature = "heic") {
     true => &["jpg", "jpeg", "png", "tif", "tiff", "heic", "heif", "hif"],
@@ -18,37 +27,31 @@ pub const RAWS: [&str; 10] = [
 
 /// A kind of file that cannot be read as it is.
 struct Kind {
-    name: &'static str,
-    /// One of them.
-    one: &'static str,
+    called: Template,
     endings: &'static [&'static str],
     way: fn(&str, &str) -> String,
 }
 
 const KINDS: [Kind; 4] = [
     Kind {
-        name: "HEIC photos",
-        one: "HEIC photo",
+        called: HEIC,
         endings: &["heic", "heif", "hif", "avif"],
         way: |_, ending| {
             format!("for f in *.{ending}; do heif-convert -q 95 \"$f\" \"${{f%.*}}.jpg\"; done")
         },
     },
     Kind {
-        name: "videos",
-        one: "video",
+        called: VIDEO,
         endings: &VIDEOS,
         way: |first, _| format!("tailor measure \"{first}\""),
     },
     Kind {
-        name: "raw photos",
-        one: "raw photo",
+        called: RAW,
         endings: &RAWS,
         way: |_, ending| format!("dcraw_emu -w -W -o 1 -g 2.4 12.92 -T *.{ending}"),
     },
     Kind {
-        name: "pictures of other formats",
-        one: "picture of another format",
+        called: OTHER,
         endings: &["webp", "bmp", "gif", "jp2", "jxl", "ppm", "tga"],
         way: |_, ending| format!("mogrify -format jpg -quality 95 *.{ending}"),
     },
@@ -58,7 +61,7 @@ const KINDS: [Kind; 4] = [
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Foreign {
     /// What they are.
-    pub kind: &'static str,
+    called: Template,
     /// Their names.
     pub names: Vec<String>,
     /// The command of a shell, run in their folder, that makes photos of them.
@@ -67,19 +70,15 @@ pub struct Foreign {
 
 impl Foreign {
     /// `3 HEIC photos (a.heic, b.heic, …)`.
-    pub fn words(&self) -> String {
-        let some: Vec<&str> = self.names.iter().take(2).map(String::as_str).collect();
-        let more = if self.names.len() > some.len() {
-            ", …"
-        } else {
-            ""
-        };
-        format!(
-            "{} {} ({}{more})",
-            self.names.len(),
-            self.kind,
-            some.join(", ")
-        )
+    pub fn words(&self) -> Message {
+        let count = self.names.len();
+        let more = if count > 2 { ", …" } else { "" };
+        let fields = [
+            ("count", count.into()),
+            ("files", Field::from(&self.names[..count.min(2)])),
+            ("more", more.into()),
+        ];
+        Message::new(&self.called, fields)
     }
 }
 
@@ -122,12 +121,8 @@ pub fn foreign(names: &[String]) -> Vec<Foreign> {
         let first = names.first()?.clone();
         let base = first.rsplit('/').next().unwrap_or(&first);
         let way = (kind.way)(base, ending(base).unwrap_or_default());
-        let kind = if names.len() == 1 {
-            kind.one
-        } else {
-            kind.name
-        };
-        Some(Foreign { kind, names, way })
+        let called = kind.called;
+        Some(Foreign { called, names, way })
     };
     KINDS.iter().filter_map(of).collect()
 }
@@ -151,7 +146,7 @@ mod tests {
         ];
         let names = names.map(str::to_owned);
         let found = foreign(&names);
-        let words: Vec<String> = found.iter().map(Foreign::words).collect();
+        let words: Vec<String> = found.iter().map(|f| f.words().into()).collect();
         let unread = ["1 video (walk.MOV)", "1 raw photo (b.DNG)"];
         let [video, raw] = found.last_chunk().unwrap();
         assert_eq!(video.way, "tailor measure \"walk.MOV\"");

@@ -68,6 +68,7 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     alike::MESSAGES,
     cut_off::MESSAGES,
     empty::MESSAGES,
+    folder::MESSAGES,
     load::MESSAGES,
     noise::MESSAGES,
     odd::MESSAGES,

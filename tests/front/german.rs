@@ -1,0 +1,121 @@
+//! Nothing that who measures people reads is English where German is asked for.
+
+use crate::place::{Place, Printed};
+
+/// The same line in English, and as `german` has it.
+fn both(place: &Place, line: &str, german: &str) -> [Printed; 2] {
+    let tailor = env!("CARGO_BIN_EXE_tailor");
+    let bash = |env: &str| place.bash(&format!("LC_ALL= {env} {tailor} {line}"));
+    match german {
+        "LANG" => ["LANG=C", "LANG=de_DE.UTF-8"].map(bash),
+        flag => [place.run(line), place.run(&format!("{line} {flag}"))],
+    }
+}
+
+#[test]
+fn what_doctor_prints_has_no_line_in_german_that_is_english() {
+    let place = Place::sharing();
+    let bad = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/bad");
+    let mut seen = 0;
+    for folder in ["moving-light", "feet-cut-off", "empty-photo"] {
+        let folder = bad.join(folder);
+        for more in [
+            "",
+            "--turning --mat-tag 60 --stature 178",
+            "--plate 0007.jpg",
+        ] {
+            let line = format!("doctor {} {more}", folder.display());
+            let [english, german] = both(&place, &line, "--lang de").map(|printed| printed.out);
+            let lines = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+            let (english, german) = (lines(&english), lines(&german));
+            assert_eq!(english.len(), german.len(), "{english:#?} {german:#?}");
+            let same = german
+                .iter()
+                .filter(|line| !line.is_empty() && english.contains(line));
+            assert_eq!(same.collect::<Vec<_>>(), [""; 0], "{german:#?}");
+            seen += german.len();
+        }
+    }
+    assert!(seen > 60, "{seen}");
+    let line = format!("doctor {}", bad.join("moving-light").display());
+    let [english, german] = both(&place, &line, "LANG");
+    assert_ne!(english.out, german.out);
+}
+
+#[test]
+fn no_error_that_who_measures_meets_is_the_same_in_german() {
+    let place = Place::new();
+    place.photos("turn", 9);
+    place.photos("two", 2);
+    place.photos("mine", 9);
+    for file in ["raw/a.webp", "text.txt", "empty/notes.txt", "mat.txt"] {
+        place.write(file, "x");
+    }
+    place.write("bare/0000.jpg", "x");
+    let words = |flags: &'static [&'static str]| flags.iter().map(|flag| format!("turn {flag}"));
+    let given = words(&[
+        "--stature tall",
+        "--stature 1.76",
+        "--weight heavy",
+        "--weight 560",
+        "--age old",
+        "--age 200",
+        "--views some",
+        "--focal wide",
+        "--steps 0",
+        "--mat-ids 5",
+        "--rim-ids 9-3",
+        "--centre-px 5",
+        "--reference 5",
+        "--reference tag_size=wide",
+        "--seen here",
+        "--seen a=1,2,3,4 --seen a=1,2,3,4",
+        "--fact here",
+        "--images ../*.jpg",
+        "--video",
+        "--mat none.pdf",
+        "--mat mat.txt",
+    ]);
+    let folders = [
+        "nowhere",
+        "text.txt",
+        "empty",
+        "raw",
+        "turn/0000.jpg",
+        "two",
+        "bare",
+    ]
+    .map(str::to_owned);
+    let looked = given.chain(folders).flat_map(|words| {
+        let verbs = ["measure", "doctor"];
+        verbs.map(|verb| (format!("{verb} {words}"), "--lang de"))
+    });
+    let out = |line: &str| (line.to_owned(), "--lang de");
+    let measured = [
+        "measure turn --out mine",
+        "measure turn two --profile p.json",
+        "measure turn/0000.jpg turn/0001.jpg",
+        "measure turn turn --out one",
+        "measure empty empty/../raw --out one",
+    ];
+    let verbs = [
+        "init turn/0000.jpg",
+        "init mine",
+        "mat --diameter-mm 600 -o mat.png",
+    ];
+    place.write("mine/capture.toml", "");
+    let verbs = verbs.map(|line| (line.to_owned(), "LANG"));
+    for (line, german) in looked.chain(measured.map(out)).chain(verbs) {
+        let [english, german] = both(&place, &line, german).map(|printed| printed.err);
+        // Names of folders and nodes are the same.
+        let sentence = |line: &&str| line.split_whitespace().count() > 2;
+        let english = english.replace(" failed: ", ": ");
+        let english: Vec<&str> = english.lines().filter(sentence).collect();
+        let german: Vec<&str> = german.lines().filter(sentence).collect();
+        let same = german.iter().find(|line| english.contains(line));
+        assert!(
+            same.is_none() && !english.is_empty() && !german.is_empty(),
+            "{line}: {english:#?} {german:#?}"
+        );
+    }
+}
