@@ -11,7 +11,7 @@ use crate::sections::taken::taken;
 use crate::uncertainty::clothes::{Hem, hem};
 use crate::uncertainty::contradicted::Outlines;
 use crate::uncertainty::interval::{Level, level_spread};
-use crate::uncertainty::outlines::{by_silhouettes, open_mm};
+use crate::uncertainty::outlines::{Borders, by_silhouettes, open_mm};
 use crate::uncertainty::reported::{Seen, Sure};
 use shape::{
     BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh, Missing,
@@ -83,7 +83,7 @@ const REMESHED: f64 = 0.045;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 33;
+    const VERSION: u32 = 35;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -242,7 +242,7 @@ fn seen(
     let (cameras, masks) = (input.cameras.as_deref(), input.masks.as_deref());
     let (Some(body), Some((cameras, masks))) = (body, cameras.zip(masks)) else {
         return Seen {
-            support: None,
+            borders: Borders::default(),
             // A surface that no photos made has no corners of theirs.
             open_mm: cameras.is_none().then_some(0.0),
             left_out_mm: 0.0,
@@ -250,7 +250,7 @@ fn seen(
         };
     };
     Seen {
-        support: by_silhouettes(body, landmark, here, cameras, masks),
+        borders: by_silhouettes(body, landmark, here, cameras, masks),
         open_mm: Some(open_mm(body, landmark, here, cameras)),
         left_out_mm: outlines.map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
         worn_mm,
@@ -266,7 +266,7 @@ fn sure<'a>(
 ) -> Sure<'a> {
     let off: Vec<f64> = all
         .iter()
-        .filter_map(|(_, here, s)| Some((here.tape_mm - s.support.as_ref()?.girth) / TAU))
+        .filter_map(|(_, here, s)| Some((here.tape_mm - s.borders.support.as_ref()?.girth) / TAU))
         .collect();
     let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
     let even = match input.masks {

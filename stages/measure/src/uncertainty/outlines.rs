@@ -3,22 +3,31 @@
 use crate::features::body::Body;
 use crate::geometry::slices::Ring;
 use crate::sections::one::SectionMeasurement;
-use crate::uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
+use crate::uncertainty::silhouette::{Support, Tangent, beyond, support_girth, tangents};
 use crate::uncertainty::unobserved::{clear_sights, unconfirmed};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Cameras, Landmark, Masks, Part};
 
-/// The girth by silhouettes of a level section of the trunk, where the arms stand clear.
+/// What borders beside a section come to.
+#[derive(Default)]
+pub(crate) struct Borders {
+    /// Its girth by silhouettes.
+    pub(crate) support: Option<Support>,
+    /// Else how far they are outside of it, with the standard deviation. \[mm\]
+    pub(crate) beyond: Option<(f64, f64)>,
+}
+
+/// What silhouettes show of a level section of the trunk, where no arm hides it.
 pub(crate) fn by_silhouettes(
     body: &Body,
     landmark: &Landmark,
     taken: &SectionMeasurement,
     cameras: &Cameras,
     masks: &Masks,
-) -> Option<Support> {
+) -> Borders {
     if !is_whole(landmark, taken) {
-        return None;
+        return Borders::default();
     }
     let origin = crate::geometry::section::centre(&taken.contour);
     let others = limbs(body, landmark.plane.point_mm[2], &taken.contour, origin);
@@ -32,7 +41,13 @@ pub(crate) fn by_silhouettes(
         .par_iter()
         .map(|(view, mask)| tangents(&taken.contour, &others, origin, &view.camera, mask))
         .collect();
-    support_girth(&all.concat())
+    let all = all.concat();
+    let support = support_girth(&all);
+    let beyond = match support {
+        Some(_) => None,
+        None => beyond(&all, &taken.contour, origin),
+    };
+    Borders { support, beyond }
 }
 
 /// Whether a section is a level one of the trunk alone, of which nothing is hidden.

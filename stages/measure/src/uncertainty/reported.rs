@@ -3,8 +3,7 @@
 use crate::geometry::spline::has_left;
 use crate::sections::one::SectionMeasurement;
 use crate::uncertainty::interval::{Level, NINE_IN_TEN, interval, together, too_wide};
-use crate::uncertainty::outlines::{shared_border, surface_by_cameras};
-use crate::uncertainty::silhouette::Support;
+use crate::uncertainty::outlines::{Borders, shared_border, surface_by_cameras};
 use nalgebra::Point3;
 use shape::{Cameras, Girth, GirthId, Landmark, Note, Refusal, Sigmas, Split};
 use std::f64::consts::TAU;
@@ -16,8 +15,8 @@ const WAIST_FOLDS: f64 = 1.05;
 
 /// What outlines tell of a section.
 pub(crate) struct Seen {
-    /// Its girth by silhouettes.
-    pub(crate) support: Option<Support>,
+    /// What their borders come to.
+    pub(crate) borders: Borders,
     /// How much of its tape no outline confirms; `None` where nobody looked. \[mm\]
     pub(crate) open_mm: Option<f64>,
     /// How much longer the tape would be with what one photo alone denies, against all others; 0 where nobody looked. \[mm\]
@@ -84,13 +83,13 @@ impl Sure<'_> {
         level: Level,
     ) -> Result<Girth, Refusal> {
         let at = Point3::from(landmark.plane.point_mm);
-        let surface = match seen.support {
-            Some(_) => self.surface(at),
-            None => self.unseen(at),
+        let support = seen.borders.support.as_ref();
+        let surface = match support.is_some() || (self.hull && seen.borders.beyond.is_some()) {
+            true => self.surface(at),
+            false => self.unseen(at),
         };
         let shared = self.cameras.map_or(0.0, |c| shared_border(c, at));
-        let outline = seen.support.as_ref();
-        let outline = outline.map(|s| (s.girth, libm::hypot(s.sigma, shared)));
+        let outline = support.map(|s| (s.girth, libm::hypot(s.sigma, shared)));
         let (tape_mm, (mean, width)) = match self.hull {
             true => {
                 let round = round(here.tape_mm, (TAU * surface, shared), outline, seen);
@@ -108,7 +107,7 @@ impl Sure<'_> {
             scale_mm: self.scale(here.tape_mm),
             split_mm: Some(here.sigma_mm),
             // Where outlines tell the girth, they tell of corners, too.
-            cover_mm: match seen.support.is_some() || self.hull {
+            cover_mm: match support.is_some() || self.hull {
                 true => Some(0.0),
                 false => seen.open_mm,
             },
@@ -125,7 +124,7 @@ impl Sure<'_> {
         Ok(Girth {
             contour_mm: here.contour_mm,
             spline_mm: here.spline_mm,
-            silhouette_mm: seen.support.as_ref().map(|s| s.girth),
+            silhouette_mm: support.map(|s| s.girth),
             interval_mm,
             sigmas,
             repeat_mm: again.map(|mm| NINE_IN_TEN * mm),
@@ -144,8 +143,8 @@ impl Sure<'_> {
 }
 
 /// A tape of a hull and its standard deviation: the girth by outlines, which has no corners, and from which no photo alone
-/// takes a slice; else with round arcs for corners that no outline confirms, off by what all borders are, too. It may err by
-/// half of what it differs. \[mm\]
+/// takes a slice; else with round arcs for corners that no outline confirms, and as far out as borders are where they show,
+/// off by what all borders are, too. It may err by half of what it differs. \[mm\]
 fn round(
     tape: f64,
     (surface, shared): (f64, f64),
@@ -154,7 +153,11 @@ fn round(
 ) -> (f64, f64) {
     let (round, sigma) = match outline {
         Some(girth) => girth,
-        None => (tape - seen.open_mm.unwrap_or(0.0), shared),
+        None => {
+            let (out, sigma) = seen.borders.beyond.unwrap_or_default();
+            let closed = tape - seen.open_mm.unwrap_or(0.0);
+            (closed + TAU * out, libm::hypot(shared, TAU * sigma))
+        }
     };
     (
         round,
@@ -224,7 +227,7 @@ mod tests {
     #[test]
     fn a_hulls_tape_is_that_of_its_outlines_or_lacks_the_corners_that_none_confirms() {
         let seen = |open: f64| Seen {
-            support: None,
+            borders: Borders::default(),
             open_mm: Some(open),
             left_out_mm: 0.0,
             worn_mm: 0.0,
@@ -235,6 +238,16 @@ mod tests {
         let (tape, sigma) = round(1000.0, (3.0, 8.0), None, &seen(40.0));
         assert_eq!(tape, 960.0);
         assert!((21.7..22.0).contains(&sigma), "{sigma}");
+        let partly = Seen {
+            borders: Borders {
+                support: None,
+                beyond: Some((5.0, 1.0)),
+            },
+            ..seen(0.0)
+        };
+        let (tape, sigma) = round(1000.0, (3.0, 8.0), None, &partly);
+        assert_eq!(tape, 1000.0 + TAU * 5.0);
+        assert!((18.8..19.2).contains(&sigma), "{sigma}");
         // Masks that each lack a bit elsewhere leave too little of a hull.
         let (tape, sigma) = round(960.0, (3.0, 0.5), Some((1000.0, 1.0)), &seen(0.0));
         assert_eq!(tape, 1000.0);

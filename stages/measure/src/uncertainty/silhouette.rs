@@ -13,6 +13,8 @@ pub struct Tangent {
     pub angle: f64,
     /// Distance from the origin. \[mm\]
     pub support: f64,
+    /// Whether it is the body's left border in the picture.
+    pub is_left: bool,
 }
 
 /// How far from the surface a border is looked for. \[mm\]
@@ -96,12 +98,14 @@ pub fn tangents(
         Some(Tangent {
             angle: libm::atan2(n.1, n.0),
             support: n.0 * (border.x - origin.x) + n.1 * (border.y - origin.y),
+            is_left: turn < 0.0,
         })
     };
     [1.0, -1.0].into_iter().filter_map(side).collect()
 }
 
-/// A girth by Cauchy's formula, and its standard deviation from how the tangents disagree. \[mm\]
+/// A girth by Cauchy's formula, and its standard deviation from how the tangents disagree: each on its own, and all on the
+/// left of the picture with all on its right. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Support {
     /// The girth.
@@ -112,6 +116,8 @@ pub struct Support {
     pub tangents: usize,
 }
 
+/// Fewer tangents give no girth: two for each unknown of the lower order (derived).
+const MIN_TANGENTS: usize = 2 * (1 + 2 * 4);
 /// Widest stretch of directions without a tangent. \[rad\]
 const GAP: f64 = 60.0 * TAU / 360.0;
 
@@ -119,7 +125,7 @@ const GAP: f64 = 60.0 * TAU / 360.0;
 /// integrates it. `None` with fewer than 18 tangents or with a wide gap between them.
 pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
     let n = tangents.len();
-    if n < 18 {
+    if n < MIN_TANGENTS {
         return None;
     }
     let mut angles: Vec<f64> = tangents.iter().map(|t| t.angle.rem_euclid(TAU)).collect();
@@ -141,6 +147,7 @@ pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
     let want = DVector::from_iterator(n, tangents.iter().map(|t| t.support));
     let mut weights = vec![1.0; n];
     let mut fit = DVector::zeros(unknowns);
+    let mut off = DVector::zeros(n);
     let mut spread = 0.0;
     for _ in 0..12 {
         let weighted = DMatrix::from_fn(n, unknowns, |i, j| weights[i] * design[(i, j)]);
@@ -150,7 +157,7 @@ pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
             normal[(j, j)] += 1e-4 * n as f64 * (j.div_ceil(2) as f64).powi(4) / 16.0;
         }
         fit = normal.cholesky()?.solve(&(weighted.transpose() * &want));
-        let off = &want - &design * &fit;
+        off = &want - &design * &fit;
         let mut sizes: Vec<f64> = off.iter().map(|e| e.abs()).collect();
         sizes.sort_by(f64::total_cmp);
         // Scatter by the median, freed of the unknowns fitted.
@@ -160,9 +167,54 @@ pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
             *weight = (limit / e.abs().max(1e-12)).min(1.0);
         }
     }
+    let random = spread / (n as f64).sqrt();
     Some(Support {
         girth: TAU * fit[0],
-        sigma: TAU * spread / (n as f64).sqrt(),
+        sigma: TAU * libm::hypot(random, sides_apart(tangents, off.as_slice(), random)),
         tangents: n,
     })
+}
+
+/// By how much the mean support is off where one side of the picture has wrong borders, as before a background of the
+/// body's colour: each direction is seen from both sides, so by half of what their means differ, less what chance makes of
+/// it, which is the mean's own `random` deviation. \[mm\]
+fn sides_apart(tangents: &[Tangent], off: &[f64], random: f64) -> f64 {
+    let mean = |is_left: bool| {
+        let side = tangents
+            .iter()
+            .zip(off)
+            .filter(|(t, _)| t.is_left == is_left);
+        let (sum, n) = side.fold((0.0, 0), |(sum, n), (_, e)| (sum + e, n + 1));
+        sum / f64::from(n.max(1))
+    };
+    let half = (mean(true) - mean(false)) / 2.0;
+    (half * half - random * random).max(0.0).sqrt()
+}
+
+/// How far borders are outside of a section, on the mean, and its standard deviation: for a section that no borders show all
+/// around. A hull is what no border cuts off, so where borders err, it is too small by this. \[mm\]
+pub(crate) fn beyond(
+    tangents: &[Tangent],
+    curve: &[Point3<f64>],
+    origin: Point3<f64>,
+) -> Option<(f64, f64)> {
+    let n = tangents.len();
+    if n < MIN_TANGENTS {
+        return None;
+    }
+    let off = tangents.iter().map(|t| {
+        let (s, c) = libm::sincos(t.angle);
+        let out = curve
+            .iter()
+            .map(|p| c * (p.x - origin.x) + s * (p.y - origin.y));
+        t.support - out.fold(f64::MIN, f64::max)
+    });
+    let off: Vec<f64> = off.collect();
+    let mean = off.iter().sum::<f64>() / n as f64;
+    let square: f64 = off.iter().map(|e| (e - mean) * (e - mean)).sum();
+    let random = (square / (n * (n - 1)) as f64).sqrt();
+    Some((
+        mean,
+        libm::hypot(random, sides_apart(tangents, &off, random)),
+    ))
 }

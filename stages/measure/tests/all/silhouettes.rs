@@ -118,3 +118,18 @@ fn one_photo_that_disagrees_hardly_moves_the_girth() {
     all[7].support += 40.0;
     proof::near(support_girth(&all).unwrap().girth / perimeter(), 1.0, 5e-3);
 }
+
+#[test]
+fn borders_that_are_wrong_on_one_side_of_the_picture_widen_the_interval_as_far_as_they_bias() {
+    let mut all = seen(&[]);
+    let before = support_girth(&all).unwrap();
+    all.iter_mut()
+        .filter(|t| t.is_left)
+        .for_each(|t| t.support -= 10.0);
+    let after = support_girth(&all).unwrap();
+    proof::near(before.girth - after.girth, TAU * 5.0, 0.5);
+    assert!(
+        (after.sigma - TAU * 5.0).abs() < 3.0 + before.sigma,
+        "{after:?}"
+    );
+}
