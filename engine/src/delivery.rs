@@ -5,6 +5,7 @@
 //! Two processes deliver one after the other. No file is ever half-written, and none is written or
 //! removed through a link.
 
+pub(crate) mod error;
 mod withdraw;
 
 use crate::system::{self, Folder, nofollow, private_folder};
@@ -13,30 +14,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::path::{Component, Path, PathBuf};
 
+pub use error::DeliveryError;
 pub(crate) use withdraw::of_readable;
 pub use withdraw::{Withdrawn, of, withdraw};
-
-/// Why results cannot be delivered.
-#[derive(Debug, thiserror::Error)]
-pub enum DeliveryError {
-    /// The disk refuses.
-    #[error("{}: {why}", path.display())]
-    Disk {
-        /// The file.
-        path: PathBuf,
-        /// The system's error.
-        why: std::io::Error,
-    },
-    /// A folder that is a link.
-    #[error("{} is a link, and nothing is written through a link; remove it, or give another folder", .0.display())]
-    Link(PathBuf),
-    /// Something else where a folder is wanted.
-    #[error("{} is no folder; give another with --out", .0.display())]
-    NoFolder(PathBuf),
-    /// A file that would be elsewhere.
-    #[error("{} is no name of a file in a folder of results", .0.display())]
-    Name(PathBuf),
-}
 
 /// The run with its provenance, and what it wrote.
 pub const RUN: &str = "run.json";

@@ -86,6 +86,7 @@ pub mod delivery;
 pub mod differ;
 mod done;
 pub mod drawing;
+mod engine_error;
 pub mod foreign;
 pub mod graph;
 pub mod history;
@@ -135,3 +136,11 @@ pub use session::{
     EngineError, Options, given_inputs, inputs, run, run_in, run_unrecorded, runs, threads,
 };
 pub use system::{is_alive, private_file};
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[
+    delivery::error::MESSAGES,
+    engine_error::MESSAGES,
+    source::MESSAGES,
+    store::error::MESSAGES,
+];

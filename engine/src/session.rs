@@ -7,14 +7,15 @@ use crate::journal::Journal;
 use crate::outcome::Outcome;
 use crate::permission;
 use crate::run_one::{Pool, Surroundings};
-use crate::source::{self, Memo, SourceError};
-use crate::store::{Store, StoreError};
+use crate::source::{self, Memo};
+use crate::store::Store;
 use crate::walk::{Failures, Job, Watch, walk};
 use stage::{Files, Hash};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
+pub use crate::engine_error::EngineError;
 pub use crate::past::runs;
 
 /// How to run.
@@ -26,39 +27,6 @@ pub struct Options {
     pub threads: Option<usize>,
     /// Whether to go on with what does not depend on a failed node.
     pub keep_going: bool,
-}
-
-/// Why nothing could be run.
-#[derive(Debug, thiserror::Error)]
-pub enum EngineError {
-    /// The store.
-    #[error(transparent)]
-    Store(#[from] StoreError),
-    /// The inputs.
-    #[error("input `{name}`: {why}")]
-    Source {
-        /// Which input.
-        name: String,
-        /// Why.
-        why: SourceError,
-    },
-    /// An input that is missing.
-    #[error("input `{0}` is missing{1}: add --input {0}=FOLDER")]
-    Unsaid(String, String),
-    /// An input that the pipeline does not have.
-    #[error("{0}")]
-    Unknown(String),
-    /// Programs that nobody allowed.
-    #[error("{0}")]
-    NotAllowed(String),
-    /// A program of which it is not known what it is.
-    #[error("node `{name}`: {why}")]
-    Identity {
-        /// The node.
-        name: String,
-        /// Why.
-        why: String,
-    },
 }
 
 /// The files of each input, hashed; what was hashed is remembered in the store.

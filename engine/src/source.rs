@@ -8,15 +8,22 @@ use crate::graph::InputDecl;
 use crate::pattern::{fits, natural};
 use crate::system;
 use serde::{Deserialize, Serialize};
-use stage::{FileEntry, Files, Hash};
+use stage::{Coded, FileEntry, Files, Hash, Message, Template, message};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+stage::messages! {
+    UNREADABLE = "cli-input-unreadable": "{path}: {why}; give a folder that is there and readable";
+    NO_TEXT = "cli-input-utf8": "{path} has a name that is not UTF-8; give it another name";
+    CONTROL = "cli-input-control": "{path} has a name that has control characters in it; give it another name";
+    EMPTY = "cli-input-empty": "{path} has no file that fits {patterns}";
+}
 
 /// A folder that cannot be an input.
 #[derive(Debug, thiserror::Error)]
 pub enum SourceError {
     /// It cannot be read.
-    #[error("{}: {why}; give a folder that is there and readable", shown(path))]
+    #[error("{}", self.message())]
     Unreadable {
         /// The file or folder.
         path: PathBuf,
@@ -24,21 +31,35 @@ pub enum SourceError {
         why: std::io::Error,
     },
     /// A file that would be left out, or named in a way that misleads.
-    #[error("{} has a name that {why}; give it another name", shown(path))]
+    #[error("{}", self.message())]
     Name {
         /// The file or folder.
         path: PathBuf,
         /// What is wrong with the name.
-        why: &'static str,
+        why: &'static Template,
     },
     /// None of its files fits.
-    #[error("{} has no file that fits {patterns}", shown(path))]
+    #[error("{}", self.message())]
     Empty {
         /// The folder.
         path: PathBuf,
         /// What would fit.
         patterns: String,
     },
+}
+
+impl Coded for SourceError {
+    fn message(&self) -> Message {
+        match self {
+            SourceError::Unreadable { path, why } => {
+                message!(UNREADABLE, path = shown(path), why = why.to_string())
+            }
+            SourceError::Name { path, why } => Message::new(why, [("path", shown(path).into())]),
+            SourceError::Empty { path, patterns } => {
+                message!(EMPTY, path = shown(path), patterns = patterns)
+            }
+        }
+    }
 }
 
 /// What is remembered of files, so that they need not be hashed again.
@@ -141,10 +162,10 @@ fn shown(path: &Path) -> String {
 }
 
 /// What is wrong with the name of a file.
-fn odd(name: &std::ffi::OsStr) -> Option<&'static str> {
+fn odd(name: &std::ffi::OsStr) -> Option<&'static Template> {
     match name.to_str() {
-        None => Some("is not UTF-8"),
-        Some(name) if name.contains(char::is_control) => Some("has control characters in it"),
+        None => Some(&NO_TEXT),
+        Some(name) if name.contains(char::is_control) => Some(&CONTROL),
         Some(_) => None,
     }
 }

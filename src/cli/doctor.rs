@@ -114,7 +114,7 @@ fn looked(
     let mut graph = opened("doctor", looked.source.over(), None, &stated, &[])?;
     folder::widen(&mut graph, &looked);
     let folders = looked.source.inputs();
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let store = Store::open(&global.cache).map_err(Fault::of)?;
     let wanted: Vec<usize> = (0..graph.nodes.len()).collect();
     // What is seen is the answer; there is no progress to be watched.
     let quiet = GlobalArgs {

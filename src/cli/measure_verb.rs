@@ -138,7 +138,7 @@ fn table(
     let input = |folder: &PathBuf| ("photos".to_owned(), folder.clone());
     let folders: Vec<(String, PathBuf)> = measure.folders.iter().map(input).collect();
     let of = whose(&folders);
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let store = Store::open(&global.cache).map_err(Fault::of)?;
     store.note_delivery(out, &of, &folders);
     let mut delivery = Delivery::open(out, &of).map_err(Fault::stage)?;
     for (name, bytes) in [("cohort.csv", csv.to_vec()), ("cohort.json", json)] {

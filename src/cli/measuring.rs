@@ -191,7 +191,7 @@ pub(super) fn one(
         Some(_) => vec![],
         None => std::env::args().collect(),
     };
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let store = Store::open(&global.cache).map_err(Fault::of)?;
     store.note_delivery(&ready.out, &ready.whose(), &ready.folders);
     let again = again.join(" ");
     let first = first_answer(measure, &ready, &looked, stated, global);

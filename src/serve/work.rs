@@ -46,7 +46,9 @@ fn folder(words: &mut Vec<OsString>, place: &Place) {
 fn reasons(place: &Place, fault: &Fault) -> Vec<Message> {
     let folder = place.photos().display().to_string();
     let named = |why: Message| match why.code() {
-        "" => why.replace(&folder, "this capture").into(),
+        code if code.is_empty() || code.starts_with("cli-") => {
+            why.replace(&folder, "this capture").into()
+        }
         _ => why,
     };
     fault.messages().into_iter().map(named).collect()

@@ -42,8 +42,8 @@ fn what_doctor_prints_has_no_line_in_german_that_is_english() {
     assert_ne!(english.out, german.out);
 }
 
-#[test]
-fn no_error_that_who_measures_meets_is_the_same_in_german() {
+/// Folders and files of which nothing will come, and one of which something may.
+fn folders() -> Place {
     let place = Place::new();
     place.photos("turn", 9);
     place.photos("two", 2);
@@ -52,6 +52,23 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
         place.write(file, "x");
     }
     place.write("bare/0000.jpg", "x");
+    place.photos("masked", 9);
+    place.write("masked/masks/other.png", "x");
+    place.write("torn.ply", "x");
+    let cloud = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+    let cloud = format!(
+        "{cloud}element face 0\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n"
+    );
+    place.write("cloud.ply", cloud);
+    place.photos("many", 9);
+    place.write("many/a\nb.jpg", "x");
+    place.write("mine/capture.toml", "");
+    place
+}
+
+#[test]
+fn no_error_that_who_measures_meets_is_the_same_in_german() {
+    let place = folders();
     let words = |flags: &'static [&'static str]| flags.iter().map(|flag| format!("turn {flag}"));
     let given = words(&[
         "--stature tall",
@@ -93,6 +110,14 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
     let out = |line: &str| (line.to_owned(), "--lang de");
     let measured = [
         "measure turn --out mine",
+        "measure turn --out turn/below",
+        "measure turn --out text.txt",
+        "measure turn --cache text.txt",
+        "measure turn --cache mine",
+        "measure turn/../many",
+        "measure masked",
+        "measure cloud.ply",
+        "measure torn.ply",
         "measure turn two --profile p.json",
         "measure turn/0000.jpg turn/0001.jpg",
         "measure turn turn --out one",
@@ -103,7 +128,6 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
         "init mine",
         "mat --diameter-mm 600 -o mat.png",
     ];
-    place.write("mine/capture.toml", "");
     let verbs = verbs.map(|line| (line.to_owned(), "LANG"));
     for (line, german) in looked.chain(measured.map(out)).chain(verbs) {
         let [english, german] = both(&place, &line, german).map(|printed| printed.err);

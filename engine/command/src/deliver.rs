@@ -12,7 +12,12 @@ use engine::graph::Graph;
 use engine::store::Store;
 use engine::{out, pattern};
 use serde_json::{Value, json};
+use stage::message;
 use std::path::{Path, PathBuf};
+
+stage::messages! {
+    INSIDE = "cli-out-inside": "{out} is in {folder}, and what is written there would be read as input the next time; give a folder outside of it with --out";
+}
 
 /// A path as it is, as far as it is there yet.
 fn real(path: &Path) -> PathBuf {
@@ -63,16 +68,13 @@ pub fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) -> Result
             return Err(inside(out, folder));
         }
     }
-    delivery::check(out).map_err(Fault::input)
+    delivery::check(out).map_err(Fault::of)
 }
 
 /// Results in the folder of an input would be read as input the next time.
 pub fn inside(out: &Path, folder: &Path) -> Fault {
-    Fault::input(format!(
-        "{} is in {}, and what is written there would be read as input the next time; give a folder outside of it with --out",
-        out.display(),
-        folder.display()
-    ))
+    let [out, folder] = [out, folder].map(|path| path.display().to_string());
+    Fault::coded(&message!(INSIDE, out = out, folder = folder))
 }
 
 /// Writes the run down, and reports what earlier runs left.

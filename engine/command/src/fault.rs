@@ -4,7 +4,11 @@ use engine::recipe::Mistakes;
 use engine::store::StoreError;
 use engine::strands::PlanError;
 use serde_json::{Map, Value, json};
-use stage::Message;
+use stage::{Coded, Message, message};
+
+stage::messages! {
+    STOPPED = "cli-stopped": "stopped; run the same command to go on";
+}
 
 /// Why a verb failed: what to print (nothing if its answer has reported it), and the exit code.
 pub struct Fault {
@@ -24,6 +28,15 @@ impl Fault {
             text: text.to_string(),
             more: Map::new(),
             mistakes: None,
+        }
+    }
+
+    /// The input is wrong, by an error that may have a code.
+    pub fn of(why: impl Coded) -> Fault {
+        let why = why.message();
+        match why.code() {
+            "" => Fault::input(why),
+            _ => Fault::coded(&why),
         }
     }
 
@@ -63,7 +76,7 @@ impl Fault {
     pub fn stopped() -> Fault {
         Fault {
             code: 130,
-            ..Fault::input("stopped; run the same command to go on")
+            ..Fault::coded(&message!(STOPPED))
         }
     }
 

@@ -32,6 +32,7 @@ mod itself;
 mod known;
 mod line;
 mod manual;
+mod messages;
 mod open;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -69,6 +70,7 @@ pub use engine::text;
 pub use fault::Fault;
 pub use host::{Host, Telling};
 pub use line::{check_arguments, main, run};
+pub use messages::MESSAGES;
 pub use open::{folders, node, open_pipeline};
 pub use program::{GlobalArgs, Job, JobOf, Program, Verb, Walls};
 pub use progress::above;

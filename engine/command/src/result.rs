@@ -4,7 +4,11 @@ use super::fault::Fault;
 use engine::Outcome;
 use engine::graph::Graph;
 use engine::out;
-use stage::AnyArtifact;
+use stage::{AnyArtifact, message};
+
+stage::messages! {
+    GONE = "cli-result-gone": "the result of `{node}` went out of the cache before it was written; run the same command again";
+}
 
 /// A result that must be there, for somebody wants to write it; and the bytes of its own file
 /// where that is what is written.
@@ -26,8 +30,6 @@ pub fn there(
     });
     found.ok_or_else(|| {
         let name = &graph.nodes[node].name;
-        Fault::stage(format!(
-            "the result of `{name}` went out of the cache before it was written; run the same command again"
-        ))
+        Fault::coded(&message!(GONE, node = name)).of_stage()
     })
 }

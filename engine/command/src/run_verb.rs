@@ -137,7 +137,7 @@ fn execute_some(
     let outcome = profiled(watch, global, |watch| {
         engine::run_in(store, graph, folders, wanted, &options, watch, cancel)
     })?;
-    let outcome = outcome.map_err(Fault::input)?;
+    let outcome = outcome.map_err(Fault::of)?;
     let failures = outcome.failures(graph);
     if !failures.is_empty() {
         let fault = Fault::failed(&failures, again);
@@ -206,7 +206,7 @@ pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
     if let Some(out) = &run.out {
         deliver::check(out, &graph, &folders)?;
     }
-    let store = Store::open_after(&global.cache, prefetch).map_err(Fault::input)?;
+    let store = Store::open_after(&global.cache, prefetch).map_err(Fault::of)?;
     if let Some(out) = &run.out {
         store.note_delivery(out, &deliver::whose(&folders), &folders);
     }

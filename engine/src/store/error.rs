@@ -1,12 +1,19 @@
 //! A store that cannot be used.
 
-use std::path::PathBuf;
+use stage::{Coded, Message, message};
+use std::path::{Path, PathBuf};
+
+stage::messages! {
+    DISK = "cli-cache-disk": "the cache at {path}: {why}; free space or make it writable, or give another with --cache";
+    FORMAT = "cli-cache-format": "the cache at {root} has another layout ({found}): another version of the program made it, use that or give another folder with --cache";
+    STRANGE = "cli-cache-strange": "{root} is not empty and is no cache ({strange} is not of one): nothing was written; give another folder, or an empty one, with --cache";
+}
 
 /// A store that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The disk refuses.
-    #[error("the cache at {}: {why}; free space or make it writable, or give another with --cache", path.display())]
+    #[error("{}", self.message())]
     Disk {
         /// The file or folder.
         path: PathBuf,
@@ -14,7 +21,7 @@ pub enum StoreError {
         why: std::io::Error,
     },
     /// Written by another version of the program.
-    #[error("the cache at {} has another layout ({found}): another version of the program made it, use that or give another folder with --cache", root.display())]
+    #[error("{}", self.message())]
     Format {
         /// The store.
         root: PathBuf,
@@ -22,10 +29,7 @@ pub enum StoreError {
         found: String,
     },
     /// Somebody else's folder.
-    #[error(
-        "{} is not empty and is no cache ({} is not of one): nothing was written; \
-         give another folder, or an empty one, with --cache", root.display(), strange.display()
-    )]
+    #[error("{}", self.message())]
     Strange {
         /// The folder.
         root: PathBuf,
@@ -49,4 +53,22 @@ pub enum StoreError {
     /// Not to be swept now.
     #[error("a run or an upload is using the cache at {}: nothing was removed; give the command again when it is done", .0.display())]
     Busy(PathBuf),
+}
+
+impl Coded for StoreError {
+    fn message(&self) -> Message {
+        let shown = |path: &Path| path.display().to_string();
+        match self {
+            StoreError::Disk { path, why } => {
+                message!(DISK, path = shown(path), why = why.to_string())
+            }
+            StoreError::Format { root, found } => {
+                message!(FORMAT, root = shown(root), found = found)
+            }
+            StoreError::Strange { root, strange } => {
+                message!(STRANGE, root = shown(root), strange = shown(strange))
+            }
+            rest => rest.to_string().into(),
+        }
+    }
 }

@@ -28,7 +28,7 @@ mod blob;
 mod captures;
 mod delivered;
 mod disk;
-mod error;
+pub(crate) mod error;
 mod files;
 mod folder;
 mod forget;

@@ -76,12 +76,13 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     rig_tags::MESSAGES,
     surface::MESSAGES,
     verdict::MESSAGES,
-    video::MESSAGES[0],
-    video::MESSAGES[1],
+    video::frames::MESSAGES,
+    video::stage::MESSAGES,
     error::MESSAGES,
     CaptureError::MESSAGES,
     ProgramError::MESSAGES,
     RawError::MESSAGES,
+    SurfaceError::MESSAGES,
     VideoError::MESSAGES,
 ];
 
@@ -101,6 +102,7 @@ const CODED: &[stage::Recognise] = &[
     stage::recognise::<CaptureError>,
     stage::recognise::<ProgramError>,
     stage::recognise::<RawError>,
+    stage::recognise::<SurfaceError>,
     stage::recognise::<VideoError>,
     stage::recognise::<shape::PhotoError>,
 ];

@@ -1,6 +1,7 @@
 //! The stage that looks at a capture before minutes are spent on it.
 
 use crate::cut_off::cut_off;
+use crate::error::CaptureError;
 use crate::glance::{Glance, glance, together};
 use crate::noise::{noisy, of_photos};
 use crate::odd::{seen_in_facts, seen_in_pictures};
@@ -32,11 +33,6 @@ stage::inputs! {
     }
 }
 
-/// Photos in which nothing can be compared.
-#[derive(Debug, thiserror::Error)]
-#[error("there are {0} photos: a turn has at least three")]
-pub(crate) struct TooFew(usize);
-
 /// `capture.look`: photos, tags, people → document (JSON).
 pub struct Look;
 
@@ -51,8 +47,9 @@ impl Stage for Look {
 
     fn run(_: &LookParams, input: LookInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let photos = &*input.photos;
-        if photos.photos.len() < 3 {
-            return Err(TooFew(photos.photos.len()).into());
+        let (found, least) = (photos.photos.len(), 3);
+        if found < least as usize {
+            return Err(CaptureError::TooFew { found, least }.into());
         }
         let steps = ctx.steps("photos", photos.photos.len());
         let one = |photo: &Photo| -> Result<(Glance, f64), Stop> {

@@ -60,46 +60,35 @@ stage::inputs! {
     }
 }
 
-/// Why there is no surface.
-#[derive(Debug, thiserror::Error)]
-pub enum SurfaceError {
-    /// None or several.
-    #[error("one file with a surface is wanted, but {0} are there")]
-    Count(usize),
-    /// Not a mesh.
-    #[error("{0} cannot be read as a mesh: {1}")]
-    Read(String, String),
-    /// More faces than can be worked on.
-    #[error(
-        "{0} has {1} faces, more than 4 million: reduce them, such as to 400 000, and measure again"
-    )]
-    Faces(String, usize),
-    /// Two bodies, or a body in halves.
-    #[error(
-        "{0} holds two large pieces that do not hang together: two bodies, or halves of one? Leave one person in the file, in one piece"
-    )]
-    Pieces(String),
-    /// A mesh that sections cannot be taken of.
-    #[error("{0}: {1}")]
-    Fault(String, shape::MeshFault),
-    /// Nothing in it.
-    #[error("{0} has no faces: a mesh is wanted, not a cloud of points")]
-    Empty(String),
-    /// A size that no body has.
-    #[error(
-        "{name} is {high_mm:.0} mm high when its numbers are read as {unit}: set `unit`, or `up` if another axis points up"
-    )]
-    Size {
-        /// The file.
-        name: String,
-        /// Its height. \[mm\]
-        high_mm: f64,
-        /// The unit it was read in.
-        unit: &'static str,
-    },
-    /// A file that cannot be read.
-    #[error(transparent)]
-    Files(#[from] FilesError),
+stage::failures! {
+    /// Why there is no surface.
+    pub enum SurfaceError {
+        /// None or several.
+        Count(count: usize) = "fail-scan-count": "one file with a surface is wanted, but {count} are there",
+        /// Not a mesh.
+        Read(name: String, why: String) = "fail-scan-read": "{name} cannot be read as a mesh: {why}",
+        /// More faces than can be worked on.
+        Faces(name: String, faces: usize) = "fail-scan-faces": "{name} has {faces} faces, more than 4 million: reduce them, such as to 400 000, and measure again",
+        /// Two bodies, or a body in halves.
+        Pieces(name: String) = "fail-scan-two": "{name} holds two large pieces that do not hang together: two bodies, or halves of one? Leave one person in the file, in one piece",
+        /// A mesh that sections cannot be taken of.
+        Fault(name: String, fault: String) = "fail-scan-fault": "{name}: {fault}",
+        /// Nothing in it.
+        Empty(name: String) = "fail-scan-empty": "{name} has no faces: a mesh is wanted, not a cloud of points",
+        /// A size that no body has.
+        Size {
+            /// The file.
+            name: String,
+            /// Its height. \[mm\]
+            high_mm: f64,
+            /// The unit it was read in.
+            unit: &'static str,
+        } = "cli-scan-size": "{name} is {high_mm:.0 mm} high when its numbers are read as {unit}: set `unit`, or `up` if another axis points up",
+    }
+    wraps {
+        /// A file that cannot be read.
+        Files(FilesError),
+    }
 }
 
 /// Heights of bodies, from an infant to more than the tallest person. \[mm\]
@@ -159,7 +148,7 @@ fn upright(read: Read, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> Result<M
         Err(fault @ (shape::MeshFault::Open(..) | shape::MeshFault::Pinched(_))) => {
             ctx.warn(message!(FAULT, name = name, fault = fault.to_string()));
         }
-        Err(fault) => return Err(SurfaceError::Fault(name.into(), fault)),
+        Err(fault) => return Err(SurfaceError::Fault(name.into(), fault.to_string())),
     }
     let high_mm = tall(&mesh);
     if mesh.unit == shape::Unit::Metric && !HEIGHTS.contains(&high_mm) {

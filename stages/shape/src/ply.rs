@@ -131,7 +131,8 @@ pub fn mesh_from_ply(bytes: &[u8]) -> Result<Mesh, PlyError> {
     let mut from = Cursor::new(bytes);
     let mut ply = Parser::<Element>::new()
         .read_ply(&mut from)
-        .map_err(|e| error(e.to_string()))?;
+        // Its further lines are the parser's own state.
+        .map_err(|e| error(e.to_string().lines().next().unwrap_or_default().to_owned()))?;
     let colored = ply
         .header
         .elements

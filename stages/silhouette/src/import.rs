@@ -38,45 +38,37 @@ stage::inputs! {
     }
 }
 
-/// Why there are no masks.
-#[derive(Debug, thiserror::Error)]
-pub enum ImportError {
-    /// No file is named as a photo is.
-    #[error(
-        "none of the {0} files is named as a photo is: call the mask of {1} {2}.png or {2}_mask.png"
-    )]
-    Strangers(usize, String, String),
-    /// Two masks of one photo.
-    #[error("{0} and {1} are both named as masks of {2}: keep one of them")]
-    Twice(String, String, String),
-    /// No image.
-    #[error("{0} cannot be read as an image: {1}; export it again as PNG")]
-    Image(String, String),
-    /// Another size.
-    #[error(
-        "{name} has {got} pixels, but the photo {photo} has {want}: export it at the photo's size"
-    )]
-    Size {
-        /// The file.
-        name: String,
-        /// Its size.
-        got: String,
-        /// The photo.
-        photo: String,
-        /// The photo's size.
-        want: String,
-    },
-    /// All one shade.
-    #[error("{0} is {1}: it does not show where the body is; draw it again or remove it")]
-    Blank(String, &'static str),
-    /// The other way around.
-    #[error(
-        "{0} looks inverted: its border is the shade that is body on the other masks; invert it, or set `body` if the subject fills the photos"
-    )]
-    Inverted(String),
-    /// A file that cannot be read.
-    #[error(transparent)]
-    Files(#[from] FilesError),
+stage::failures! {
+    /// Why there are no masks.
+    pub enum ImportError {
+        /// No file is named as a photo is.
+        Strangers(count: usize, photo: String, stem: String) = "fail-masks-named": "none of the {count} files is named as a photo is: call the mask of {photo} {stem}.png or {stem}_mask.png",
+        /// Two masks of one photo.
+        Twice(one: String, other: String, photo: String) = "fail-masks-twice": "{one} and {other} are both named as masks of {photo}: keep one of them",
+        /// No image.
+        Image(name: String, why: String) = "fail-masks-image": "{name} cannot be read as an image: {why}; export it again as PNG",
+        /// Another size.
+        Size {
+            /// The file.
+            name: String,
+            /// Its size.
+            got: String,
+            /// The photo.
+            photo: String,
+            /// The photo's size.
+            want: String,
+        } = "fail-masks-size": "{name} has {got} pixels, but the photo {photo} has {want}: export it at the photo's size",
+        /// All black.
+        Black(name: String) = "fail-masks-black": "{name} is all black: it does not show where the body is; draw it again or remove it",
+        /// All white.
+        White(name: String) = "fail-masks-white": "{name} is all white: it does not show where the body is; draw it again or remove it",
+        /// The other way around.
+        Inverted(name: String) = "cli-masks-inverted": "{name} looks inverted: its border is the shade that is body on the other masks; invert it, or set `body` if the subject fills the photos",
+    }
+    wraps {
+        /// A file that cannot be read.
+        Files(FilesError),
+    }
 }
 
 /// `silhouette.import`: files, photos → masks.
@@ -99,7 +91,7 @@ impl Stage for Import {
                 ctx.warn(message!(NO_MASK, name = &photo.name));
                 continue;
             };
-            let mask = gray_from_file(&input.files.read(entry)?)
+            let mask = gray_from_file(&input.files.read(entry).map_err(ImportError::from)?)
                 .map_err(|why| ImportError::Image(entry.name.clone(), why))?;
             if (mask.width, mask.height) != (photo.width as usize, photo.height as usize) {
                 return Err(ImportError::Size {
@@ -167,12 +159,11 @@ fn upright(
 ) -> Result<Vec<(PhotoId, Mask)>, ImportError> {
     for (_, name, mask) in &masks {
         let share = mask.area() as f64 / mask.data.len().max(1) as f64;
-        let what = match share {
-            s if s < 1e-4 => "all black",
-            s if s > 1.0 - 1e-4 => "all white",
-            _ => continue,
-        };
-        return Err(ImportError::Blank(name.clone(), what));
+        match share {
+            s if s < 1e-4 => return Err(ImportError::Black(name.clone())),
+            s if s > 1.0 - 1e-4 => return Err(ImportError::White(name.clone())),
+            _ => {}
+        }
     }
     let white: Vec<bool> = masks.iter().map(|m| white_border(&m.2) > 0.5).collect();
     let invert = match body {

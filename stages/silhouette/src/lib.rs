@@ -116,12 +116,14 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     room::stage::MESSAGES,
     walk::MESSAGES,
     CutError::MESSAGES,
+    ImportError::MESSAGES,
     walk::WalkCutError::MESSAGES,
 ];
 
 /// The errors that have codes.
 const CODED: &[stage::Recognise] = &[
     stage::recognise::<CutError>,
+    stage::recognise::<ImportError>,
     stage::recognise::<walk::WalkCutError>,
     stage::recognise::<shape::PhotoError>,
 ];

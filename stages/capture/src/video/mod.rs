@@ -8,16 +8,13 @@ mod closing;
 mod error;
 mod ffmpeg;
 mod filters;
-mod frames;
+pub(crate) mod frames;
 mod pick;
 mod probe;
 mod seen;
 mod speed;
-mod stage;
+pub(crate) mod stage;
 mod turn;
 
 pub use error::VideoError;
 pub use stage::{Video, VideoInput, VideoParams};
-
-/// Every kind of message of these files.
-pub(crate) const MESSAGES: [&[::stage::Template]; 2] = [frames::MESSAGES, stage::MESSAGES];
