@@ -29,7 +29,8 @@ pub struct Surroundings<'a> {
 /// Threads that are there once somebody needs them, and memory.
 pub struct Pool {
     threads: usize,
-    pool: OnceLock<rayon::ThreadPool>,
+    /// None where the system gives not one thread.
+    pool: OnceLock<Option<rayon::ThreadPool>>,
     memory: Memory,
     meter: Meter,
 }
@@ -45,14 +46,21 @@ impl Pool {
         }
     }
 
-    /// Runs something on them.
+    /// Runs something on them, or on fewer where the system gives no more, or on the thread that asks.
     fn install<T: Send>(&self, run: impl FnOnce() -> T + Send) -> T {
         if self.threads == 0 {
             return run();
         }
-        let pool = || rayon::ThreadPoolBuilder::new().num_threads(self.threads);
-        let made = || pool().build().expect("bug: no threads");
-        self.pool.get_or_init(made).install(run)
+        let of = |n| rayon::ThreadPoolBuilder::new().num_threads(n);
+        let most = || (1..=self.threads).rev().find_map(|n| of(n).build().ok());
+        match self.pool.get_or_init(most) {
+            Some(pool) => pool.install(run),
+            None => {
+                // Loops ask for threads of their own unless their thread is one of a pool, which it stays.
+                std::mem::forget(of(1).use_current_thread().build());
+                run()
+            }
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::system::{resident_bytes, thread_times};
 use std::sync::{Condvar, Mutex};
+use std::thread::Builder;
 use std::time::{Duration, Instant};
 
 /// How often. \[ms\]
@@ -42,11 +43,18 @@ impl Sampler {
     pub(crate) fn around<T>(start: Instant, run: impl FnOnce() -> T) -> (T, Vec<Sample>) {
         let sampler = Sampler::default();
         std::thread::scope(|scope| {
-            let looks = scope.spawn(|| sampler.look(start));
+            // Where the system gives no more threads, nothing is seen meanwhile.
+            let looks = Builder::new().spawn_scoped(scope, || sampler.look(start));
             let over = Over(&sampler);
             let made = run();
             drop(over);
-            (made, looks.join().unwrap_or_default())
+            (
+                made,
+                looks
+                    .ok()
+                    .and_then(|looks| looks.join().ok())
+                    .unwrap_or_default(),
+            )
         })
     }
 

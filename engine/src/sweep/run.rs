@@ -14,7 +14,8 @@ use crate::store::Store;
 use crate::walk::{Failures, Job, walk_reported};
 use std::iter::Peekable;
 use std::sync::atomic::Ordering;
-use std::sync::mpsc::channel;
+use std::sync::mpsc::{Sender, channel};
+use std::thread::Builder;
 use std::time::Instant;
 
 /// So many nodes of points, shared or not, are in memory at a time.
@@ -129,13 +130,25 @@ impl Batch {
         let mut rows = Rows::new(common, self.points, graph.nodes.len(), start, id);
         let (sender, heard) = channel();
         let (job, around) = (&job, &around);
+        let walk = |sender: Sender<(usize, Done)>| {
+            let reported = |node: usize, done: &Done| _ = sender.send((node, done.clone()));
+            walk_reported(job, around, &reported)
+        };
         std::thread::scope(|scope| {
-            let walk = scope.spawn(move || {
-                let reported = |node: usize, done: &Done| _ = sender.send((node, done.clone()));
-                walk_reported(job, around, &reported)
-            });
-            rows.hear(&heard, report)?;
-            let nodes = walk.join().expect("bug: a worker panicked");
+            let sends = sender.clone();
+            let nodes = match Builder::new().spawn_scoped(scope, move || walk(sends)) {
+                Ok(beside) => {
+                    drop(sender);
+                    rows.hear(&heard, report)?;
+                    beside.join().expect("bug: a worker panicked")
+                }
+                // Where the system gives no more threads, rows are heard of once all is done.
+                Err(_) => {
+                    let nodes = walk(sender);
+                    rows.hear(&heard, report)?;
+                    nodes
+                }
+            };
             store.save_index();
             rows.rest(nodes, report)
         })

@@ -9,6 +9,8 @@ mod application;
 #[path = "../../examples/words/nouns.rs"]
 mod nouns;
 mod place;
+#[cfg(feature = "remote")]
+mod threads;
 mod traced;
 
 use place::{NEEDLES, OTHER, Place};

@@ -3,7 +3,7 @@
 use crate::traced::{Ended, Fault, run};
 use engine::past;
 use engine::store::{Store, keeper};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -86,6 +86,7 @@ impl Place {
         let path = |name: &str| self.at(name).display().to_string();
         let word = |word: &str| match word {
             "PROGRAM" => path("program.toml"),
+            "WORDS" => path("words.toml"),
             "FIRST" => path(NEEDLES[1]),
             "OTHER" => path("other"),
             "IN=FIRST" => format!("texts={}", path(NEEDLES[1])),
@@ -159,7 +160,7 @@ impl Place {
 
     /// All objects of the store by their name, without the line that names who wrote them.
     #[cfg(feature = "remote")]
-    pub(crate) fn objects(&self) -> BTreeMap<String, Vec<u8>> {
+    pub(crate) fn objects(&self) -> std::collections::BTreeMap<String, Vec<u8>> {
         let store = self.at("store");
         let object = |path: PathBuf| {
             let name = path.strip_prefix(&store).unwrap().display().to_string();

@@ -27,6 +27,9 @@ pub(crate) enum Fault {
     Killed(usize),
     /// Whatever has that name cannot be opened.
     Shut(&'static str),
+    /// No thread starts.
+    #[cfg_attr(not(feature = "remote"), allow(dead_code))]
+    NoThreads,
 }
 
 /// How a process ended.
@@ -183,10 +186,7 @@ fn watched(child: &mut Child, worker: Pid, fault: Fault) -> Ended {
                 let Ok(regs) = ptrace::getregs(id) else {
                     continue;
                 };
-                if let Fault::Shut(name) = fault
-                    && regs.orig_rax == c::SYS_openat as u64
-                    && opens(id, regs.rsi, name)
-                {
+                if strikes(fault, id, &regs) {
                     ended.call = Some(regs.orig_rax);
                     fails.insert(id);
                     let _ = answer(id, |regs| regs.orig_rax = u64::MAX);
@@ -228,6 +228,26 @@ fn answer(id: Pid, change: impl FnOnce(&mut c::user_regs_struct)) -> nix::Result
     let mut regs = ptrace::getregs(id)?;
     change(&mut regs);
     ptrace::setregs(id, regs)
+}
+
+/// Whether what a thread that is stopped is about to do never works.
+fn strikes(fault: Fault, id: Pid, regs: &c::user_regs_struct) -> bool {
+    match fault {
+        Fault::Shut(name) => regs.orig_rax == c::SYS_openat as u64 && opens(id, regs.rsi, name),
+        Fault::NoThreads => starts_thread(id, regs),
+        _ => false,
+    }
+}
+
+/// Whether a thread that is stopped is about to start another one of its process.
+fn starts_thread(id: Pid, regs: &c::user_regs_struct) -> bool {
+    let flags = match regs.orig_rax as c::c_long {
+        c::SYS_clone => regs.rdi as i64,
+        // The first of what it points to.
+        c::SYS_clone3 => ptrace::read(id, regs.rdi as ptrace::AddressType).unwrap_or(0),
+        _ => 0,
+    };
+    flags & i64::from(c::CLONE_THREAD) != 0
 }
 
 /// Whether the path at an address of a thread that is stopped ends with a name.

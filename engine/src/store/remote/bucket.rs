@@ -7,6 +7,7 @@
 use super::answer::{absent, plain, trouble};
 use super::clients::{ADDRESSES, of_scheme};
 use super::cut_off;
+use super::network::network;
 use super::objects::{Created, Got, Object, Objects, Trouble};
 use super::pace::Pace;
 use super::patience::Patience;
@@ -25,7 +26,7 @@ struct Bucket {
     store: Box<dyn ObjectStore>,
     /// As `store`, with time for a large result to get there.
     writes: Box<dyn ObjectStore>,
-    /// What waits for the network; a folder is read and written by the thread that asks.
+    /// What waits for the network, on the thread that asks; what a folder is asked for is never waited for.
     runtime: Option<Runtime>,
     /// Where it is, if it is a folder.
     folder: Option<std::path::PathBuf>,
@@ -85,8 +86,7 @@ fn made(
 ) -> Result<Box<dyn Objects>, Trouble> {
     let prefix =
         Path::parse(prefix).map_err(|e| Trouble::Refused(format!("its prefix is none: {e}")))?;
-    let runtime = folder.is_none().then(network).transpose();
-    let runtime = runtime.map_err(|e| Trouble::Refused(e.to_string()))?;
+    let runtime = folder.is_none().then(network).transpose()?;
     Ok(Box::new(Bucket {
         name,
         prefix,
@@ -95,11 +95,6 @@ fn made(
         runtime,
         folder,
     }))
-}
-
-fn network() -> std::io::Result<Runtime> {
-    let mut runtime = tokio::runtime::Builder::new_multi_thread();
-    runtime.worker_threads(2).enable_all().build()
 }
 
 impl Bucket {

@@ -36,6 +36,8 @@ mod keys;
 mod known;
 mod link;
 mod listing;
+#[cfg(feature = "remote")]
+mod network;
 mod objects;
 #[cfg(feature = "remote")]
 mod pace;
