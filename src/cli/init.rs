@@ -2,7 +2,7 @@
 
 use super::doctor::{Look, look};
 use super::facts::Facts;
-use crate::catalog::ringed;
+use crate::catalog::{Known, ringed};
 use clap::Args;
 use command::{Fault, GlobalArgs};
 use shape::Rig;
@@ -84,6 +84,20 @@ fn line(to: &mut String, key: &str, known: Option<String>, like: &str, note: &st
     let _ = writeln!(to, "{stated:<32} # {note}");
 }
 
+/// A known number: given where it is, else a comment with what it may be.
+fn fact(to: &mut String, key: &str, value: Option<String>) {
+    seen_fact(to, key, value, None, "");
+}
+
+/// The same with what the photos show of it: what it may be, and what is before its comment.
+fn seen_fact(to: &mut String, key: &str, value: Option<String>, like: Option<f64>, seen: &str) {
+    let known = Known::of(key).expect("bug: a key of no known number");
+    let like = number(like.unwrap_or_else(|| known.example()));
+    let name = key.rsplit('.').next().unwrap_or(key);
+    let note = seen.to_owned() + &known.comment();
+    line(to, name, value, &like, &note);
+}
+
 /// A number as TOML has it: with a point.
 fn number(x: f64) -> String {
     format!("{x:?}")
@@ -118,17 +132,15 @@ fn turn(to: &mut String, name: &str, seen: &Look, facts: &Facts) -> Result<(), F
     if let Some(day) = day.or(facts.given("date")?) {
         line(to, "date", Some(day), "", "the day of the capture");
     }
-    let note = "so many photos are there; one that gets lost is then named";
-    line(to, "views", Some(count.to_string()), "", note);
+    fact(to, "views", Some(count.to_string()));
     if !seen.images.is_empty() {
         let list = toml::Value::Array(seen.images.iter().cloned().map(toml::Value::from).collect());
         let list = Some(list.to_string());
         line(to, "images", list, "", "which photos are the turn");
     }
+    let even = (3600.0 / count as f64).round() / 10.0;
     let step = rig.step.map(|step| number(step.to_degrees()));
-    let even = number((3600.0 / count as f64).round() / 10.0);
-    let note = "if steps were even: 360° by the number of photos of a full turn";
-    line(to, "step_deg", step, &even, note);
+    seen_fact(to, "step_deg", step, Some(even), "");
     let plate = match facts.given("plate")? {
         Some(given) => Some(given),
         None => plate(seen).map(quoted),
@@ -152,23 +164,15 @@ fn plate(seen: &Look) -> Option<&str> {
 fn camera(to: &mut String, seen: &Look) {
     let (rig, first) = (&seen.photos.rig, &seen.photos.photos[0]);
     let _ = writeln!(to, "\n[camera]");
-    let (note, focal) = match (first.focal_35mm, first.device.as_str()) {
-        (Some(mm), device) => (
-            format!("EXIF has {mm:.0} mm, {device}: needed only if that is wrong"),
-            mm,
-        ),
-        (None, _) => (
-            "unknown from the photos: as if on 36 × 24 mm film".into(),
-            26.0,
-        ),
-    };
-    let own = rig
-        .focal_35mm
-        .filter(|mm| Some(*mm) != first.focal_35mm)
-        .map(number);
-    line(to, "focal_35mm", own, &number(focal), &note);
-    if let Some(px) = rig.focal_px {
-        line(to, "focal_px", Some(number(px)), "", "of a calibration");
+    let device = &first.device;
+    let seen = first.focal_35mm.map_or(String::new(), |mm| {
+        format!("EXIF has {mm:.0} mm, {device}: needed only if that is wrong; ")
+    });
+    let own = rig.focal_35mm.filter(|mm| Some(*mm) != first.focal_35mm);
+    let (own, like) = (own.map(number), first.focal_35mm);
+    seen_fact(to, "camera.focal_35mm", own, like, &seen);
+    if rig.focal_px.is_some() {
+        fact(to, "camera.focal_px", rig.focal_px.map(number));
     }
     if let Some([x, y]) = rig.centre_px {
         let centre = Some(format!("[{x:?}, {y:?}]"));
@@ -180,31 +184,23 @@ fn camera(to: &mut String, seen: &Look) {
 fn subject(to: &mut String, rig: &Rig, facts: &Facts) -> Result<(), Fault> {
     let cm = |mm: f64| number(mm / 10.0);
     let _ = writeln!(to, "\n[subject]");
-    let note = "gives lengths where no mat, reference or disk does";
-    line(to, "height_cm", rig.stature_mm.map(cm), "178.0", note);
-    for (key, like, note) in [
-        ("weight_kg", "80.0", "for the body mass index"),
-        (
-            "sex",
-            "\"female\"",
-            "or \"male\": whose growth reference is meant",
-        ),
-        (
-            "age_years",
-            "9.5",
-            "on the day of the capture, for a child's growth",
-        ),
-        ("born", "\"2016-05-01\"", "in place of an age, with `date`"),
-    ] {
-        let known = facts.personal(key)?;
-        if known.is_some() || key != "born" {
-            line(to, key, known, like, note);
-        }
+    fact(to, "subject.height_cm", rig.stature_mm.map(cm));
+    fact(to, "subject.weight_kg", facts.personal("weight_kg")?);
+    let note = "or \"male\": whose growth reference is meant";
+    line(to, "sex", facts.personal("sex")?, "\"female\"", note);
+    fact(to, "subject.age_years", facts.personal("age_years")?);
+    if let Some(born) = facts.personal("born")? {
+        line(
+            to,
+            "born",
+            Some(born),
+            "",
+            "in place of an age, with `date`",
+        );
     }
     let _ = writeln!(to, "\n[disk]");
     let diameter = rig.disk_diameter_mm.map(cm);
-    let note = "of the disk that turned";
-    line(to, "diameter_cm", diameter, "70.0", note);
+    fact(to, "disk.diameter_cm", diameter);
     Ok(())
 }
 
@@ -238,8 +234,7 @@ fn mat(to: &mut String, seen: &Look, rig: &Rig) {
     } else {
         "# [mat]\n"
     });
-    let note = "edge of a tag's black square, measured on the print; alone it is enough for a mat of `tailor mat`";
-    line(to, "tag_size_mm", known.map(number), "60.0", note);
+    fact(to, "mat.tag_size_mm", known.map(number));
     if let Some(mat) = rig.mat {
         let ids = format!("[{}, {}]", mat.first_id, mat.first_id + mat.count - 1);
         line(to, "ids", Some(ids), "", "first and last number");
@@ -250,17 +245,15 @@ fn mat(to: &mut String, seen: &Look, rig: &Rig) {
             "",
             "how many tags",
         );
-        let ring = Some(number(mat.ring_mm));
-        let note = "of the circle through their centres";
-        line(to, "ring_radius_mm", ring, "", note);
+        fact(to, "mat.ring_radius_mm", Some(number(mat.ring_mm)));
     }
     if let Some(rim) = rig.rim {
         let last = rim.first_id + rim.count - 1;
-        let _ = writeln!(
-            to,
-            "\n[rim]\ntag_size_mm = {:?}\nids = [{}, {last}]\nradius_mm = {:?}",
-            rim.tag_mm, rim.first_id, rim.radius_mm
-        );
+        to.push_str("\n[rim]\n");
+        fact(to, "rim.tag_size_mm", Some(number(rim.tag_mm)));
+        let ids = format!("[{}, {last}]", rim.first_id);
+        line(to, "ids", Some(ids), "", "first and last number");
+        fact(to, "rim.radius_mm", Some(number(rim.radius_mm)));
     }
     if let Some(known) = &rig.reference {
         let kind = quoted(known.kind.as_str());

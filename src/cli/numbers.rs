@@ -117,7 +117,7 @@ impl Args for Numbers {
         let arg = |known: &Known| {
             let arg = Arg::new(known.flag).long(known.flag);
             arg.value_name(known.value)
-                .help(known.about)
+                .help(known.help())
                 .allow_negative_numbers(true)
         };
         command.args(KNOWN.iter().map(arg))

@@ -149,6 +149,7 @@ fn init_writes_what_photos_show_once_and_measure_reads_it() {
     for expected in [
         "marker tags 0 to 11, 12 on a ring",
         "EXIF has 50 mm",
+        "# The subject's stature; 10 to 300 cm; --stature",
         "# weight_kg",
         "# plate",
     ] {
