@@ -9,7 +9,6 @@ use command::text::short;
 use serde_json::Value;
 use shape::Girths;
 use stage::Message;
-use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The stage whose params are facts of a person.
@@ -67,14 +66,7 @@ fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, Message)> {
     let why = |w: &Message| w.fields().get("why").map(ToString::to_string);
     let in_table = |w: &Message| why(w).is_some_and(|why| whys.contains(&why));
     let new = warnings.filter(|(_, warning)| !in_table(warning));
-    joined(each_once(new))
-}
-
-/// Warnings by node without those that a node before it has in the same words.
-fn each_once(all: impl Iterator<Item = (String, Message)>) -> Vec<(String, Message)> {
-    let mut seen = BTreeSet::new();
-    all.filter(|(_, warning)| seen.insert(warning.to_string()))
-        .collect()
+    joined(new.collect())
 }
 
 /// The report with what only the run knows: what its capture is called, its warnings on top, how it was made at the end.
@@ -136,16 +128,4 @@ fn table(record: &Value) -> String {
         env!("CARGO_PKG_VERSION"),
         escaped(&text(&record["about"])),
     )
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn what_two_nodes_warn_of_in_the_same_words_is_reported_once() {
-        let pair = |node: &str, warning: &str| (node.to_owned(), warning.into());
-        let (first, again) = (pair("placed", "no length"), pair("cameras", "no length"));
-        let other = pair("cameras", "few features");
-        let reported = super::each_once([first.clone(), again, other.clone()].into_iter());
-        assert_eq!(reported, [first, other]);
-    }
 }
