@@ -3,8 +3,9 @@
 use engine::Kind;
 use io::{document_extension, files};
 use shape::{
-    Aligned, Cameras, Document, Evidence, GirthId, Girths, Keypoints, Labels, Landmarks, LostParts,
-    Masks, Mesh, People, Photos, Scene, Side, Sigmas, Tags, Textured, Tracks, Unit, Warps,
+    Aligned, BodyFeatures, Cameras, Document, Evidence, GirthId, Girths, Keypoints, Labels,
+    Landmarks, LostParts, Masks, Mesh, People, Photos, Scene, Side, Sigmas, Tags, Textured, Tracks,
+    Unit, Warps,
 };
 use stage::{Artifact, Metric};
 
@@ -45,6 +46,7 @@ pub const KINDS: &[Kind] = &[
     on_photos(Evidence::KIND, &["png"]),
     on_photos(Labels::KIND, &["png"]),
     written(Photos::KIND, &["capture"]),
+    written(BodyFeatures::KIND, &["json"]),
     written(Landmarks::KIND, &["json"]),
     Kind {
         extension: document_extension,

@@ -445,6 +445,10 @@ class Sway(Artifact):
     """How the body moved against the disk: ``document`` has ``photo``, ``R``, ``t`` of each photo."""
 
 
+class BodyFeatures(Artifact):
+    """What a surface shows of a body: ``document`` as ``show --as json`` writes it."""
+
+
 class LostParts(Artifact):
     """Parts of a person that masks leave out; ``document`` as ``show --as json`` writes it."""
 
@@ -464,6 +468,7 @@ class Files(Artifact):
 #: The class of each kind.
 READERS: Dict[str, Callable[..., Artifact]] = {
     "aligned": Aligned,
+    "body_features": BodyFeatures,
     "cameras": Cameras,
     "document": Document,
     "evidence": Evidence,

@@ -38,7 +38,7 @@ pub(crate) const PARTS: [(&str, &[&str]); 7] = [
         "surface",
         &["coarse", "compensated", "deformation", "middle", "body"],
     ),
-    ("girths", &["landmarks", "girths"]),
+    ("girths", &["features", "landmarks", "girths"]),
     // Colours are for who looks at it.
     ("report", &["textured", "report"]),
 ];

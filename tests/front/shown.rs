@@ -3,8 +3,9 @@
 use crate::place::{Place, SMALL};
 
 /// The doll with its girths.
-const GIRTHS: &str = "[node.landmarks]\nstage = \"measure.landmarks\"\nfrom = { mesh = \"body\" }\n\
-    [node.girths]\nstage = \"measure.girths\"\nfrom = { mesh = \"body\", landmarks = \"landmarks\" }\n";
+const GIRTHS: &str = "[node.features]\nstage = \"measure.body\"\nfrom = { mesh = \"body\" }\n\
+    [node.landmarks]\nstage = \"measure.landmarks\"\nfrom = { mesh = \"body\", features = \"features\" }\n\
+    [node.girths]\nstage = \"measure.girths\"\nfrom = { mesh = \"body\", features = \"features\", landmarks = \"landmarks\" }\n";
 
 /// A pipeline that makes girths of a doll within a second.
 fn doll() -> String {

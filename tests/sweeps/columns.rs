@@ -13,12 +13,16 @@ from = ["solid"]
 with = { cell_mm = 14.0 }
 [node.ring]
 stage = "synth.ring"
+[node.features]
+stage = "measure.body"
+from = { mesh = "body", cameras = "ring" }
+
 [node.landmarks]
 stage = "measure.landmarks"
-from = { mesh = "body", cameras = "ring" }
+from = { mesh = "body", features = "features" }
 [node.girths]
 stage = "measure.girths"
-from = { mesh = "body", landmarks = "landmarks", cameras = "ring" }
+from = { mesh = "body", features = "features", landmarks = "landmarks", cameras = "ring" }
 [variant.tall]
 with.solid = { stature_mm = 1900.0 }
 [variant.small]
@@ -101,7 +105,7 @@ fn a_node_has_time_processor_memory_and_size_found_or_made() {
     let found = json(&place.tailor(words, 0));
     assert_eq!(
         (&made["points"][0]["made"], &found["points"][0]["made"]),
-        (&5.into(), &0.into())
+        (&6.into(), &0.into())
     );
     assert_eq!(made["points"][0]["metrics"], found["points"][0]["metrics"]);
     let of = |name: &str| number(&found, 0, name);

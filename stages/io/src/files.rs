@@ -8,7 +8,7 @@ use crate::fhir::girths_to_fhir;
 use crate::girths::{girths_schema, girths_to_json};
 use crate::girths_csv::girths_to_csv;
 use crate::glb::{mesh_to_glb, textured_to_glb};
-use crate::landmarks::landmarks_to_json;
+use crate::landmarks::{body_features_to_json, landmarks_to_json};
 use crate::marks::{keypoints_to_png, tracks_to_png};
 use crate::mask_steps::{aligned_to_jpeg, evidence_to_png, labels_to_png, scene_to_png};
 use crate::middlebury::cameras_to_middlebury;
@@ -21,9 +21,9 @@ use crate::three_mf::mesh_to_3mf;
 use crate::views::mesh_to_views;
 use crate::write_error::WriteError;
 use shape::{
-    Aligned, Cameras, Document, Evidence, Girths, Keypoints, Labels, Landmarks, LostParts, Masks,
-    Mesh, People, Photos, Scene, Tags, Textured, Tracks, Warps, gray_to_png, mesh_to_ply,
-    rgb_to_jpeg,
+    Aligned, BodyFeatures, Cameras, Document, Evidence, Girths, Keypoints, Labels, Landmarks,
+    LostParts, Masks, Mesh, People, Photos, Scene, Tags, Textured, Tracks, Warps, gray_to_png,
+    mesh_to_ply, rgb_to_jpeg,
 };
 use stage::AnyArtifact;
 use std::path::Path;
@@ -104,6 +104,7 @@ pub fn files(
         ("girths", "fhir") => one(girths_to_fhir(&*take!(Girths))?.into_bytes()),
         ("girths", "schema") => one(girths_schema().into()),
         ("girths", "definitions") => one(definitions_to_markdown().into_bytes()),
+        ("body_features", _) => one(body_features_to_json(&*take!(BodyFeatures)).into_bytes()),
         ("landmarks", "json") => one(landmarks_to_json(&*take!(Landmarks)).into_bytes()),
         ("warps", _) => one(warps_to_json(&*take!(Warps)).into_bytes()),
         ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),

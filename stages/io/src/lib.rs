@@ -36,7 +36,7 @@ pub use files::{NamedFiles, NoFormat, document_extension, files};
 pub use girths::{girths_schema, girths_to_json};
 pub use girths_csv::girths_to_csv;
 pub use glb::{mesh_to_glb, textured_to_glb};
-pub use landmarks::landmarks_to_json;
+pub use landmarks::{body_features_to_json, landmarks_to_json};
 pub use marks::{keypoints_to_png, tracks_to_png};
 pub use mask_steps::{aligned_to_jpeg, evidence_to_png, labels_to_png, scene_to_png};
 pub use middlebury::{Distorted, cameras_to_middlebury};

@@ -11,7 +11,7 @@
 mod made_bodies;
 
 use made_bodies::{Fault, folder, read, truths};
-use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
+use measure::{BodyInput, FindBody, FindLandmarks, GirthInput, LandmarkInput, Measure};
 use rayon::prelude::*;
 use stage::{Ctx, Stage};
 use std::path::Path;
@@ -49,7 +49,7 @@ fn main() -> Result<(), Fault> {
 fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
     let mut made = read(path)?;
     let mesh = Arc::new(std::mem::take(&mut made.mesh));
-    let input = LandmarkInput {
+    let input = BodyInput {
         mesh: mesh.clone(),
         cameras: None,
         levels: None,
@@ -58,10 +58,18 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
         stage::Stop::Failed(e) => e.to_string(),
         stage::Stop::Cancelled => "cancelled".into(),
     };
+    let features = FindBody::run(&(), input, &Ctx::alone()).map_err(stopped)?;
+    let features = Arc::new(features);
+    let input = LandmarkInput {
+        mesh: mesh.clone(),
+        features: features.clone(),
+        levels: None,
+    };
     let landmarks =
         FindLandmarks::run(&Default::default(), input, &Ctx::alone()).map_err(stopped)?;
     let input = GirthInput {
         mesh,
+        features,
         landmarks: Arc::new(landmarks),
         cameras: None,
         photos: None,

@@ -2,7 +2,7 @@
 
 use crate::causes::{Evidence, Tall, disputed, explain, left_out};
 use crate::derive::{Known, compress, derive, profile, withhold};
-use crate::features::body::{Body, HipAt, body};
+use crate::features::body::Body;
 use crate::growth::growth;
 use crate::remarks::warnings;
 use crate::sections::one::SectionMeasurement;
@@ -14,8 +14,8 @@ use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{Borders, by_silhouettes, open_mm};
 use crate::uncertainty::reported::{Seen, Sure};
 use shape::{
-    BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh, Missing,
-    Person, Photos, Refusal,
+    BodyFeatures, BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh,
+    Missing, Person, Photos, Refusal,
 };
 use stage::{Ctx, Message, Stage, Stop, message};
 use std::f64::consts::TAU;
@@ -56,6 +56,8 @@ stage::inputs! {
     pub struct GirthInput {
         /// The surface.
         mesh: Arc<Mesh>,
+        /// What it shows of the body: ground, front, hip, neck.
+        features: Arc<BodyFeatures>,
         /// Where.
         landmarks: Arc<Landmarks>,
         /// Cameras: how sure the scale is.
@@ -71,7 +73,7 @@ stage::inputs! {
     }
 }
 
-/// `measure.girths`: mesh, landmarks → girths.
+/// `measure.girths`: mesh, body features, landmarks → girths.
 pub struct Measure;
 
 /// Even error of a surface along its normal, as a share of its mean edge: cells bound what it shows, of one carved from
@@ -91,17 +93,15 @@ impl Stage for Measure {
 
     fn run(p: &GirthParams, input: GirthInput, ctx: &Ctx<'_>) -> Result<Girths, Stop> {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
-        // Where the landmarks have it: of a body that stands nowhere, nothing was found.
-        let body = standing(mesh, landmarks).map(|body| Body {
-            carved: input.masks.is_some(),
-            ..body
-        });
+        let mut body = Body::of(mesh, (*input.features).clone());
+        body.carved = input.masks.is_some();
+        // Of a body that stands nowhere, nothing was found.
+        let body = Some(&body).filter(|body| body.is_measurable());
         let mut girths = Girths {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             missing: missing(&input),
             ..Girths::default()
         };
-        let body = body.as_ref();
         let (outlines, hem) = (outlines(&input, body), body.and_then(hem));
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
@@ -184,16 +184,6 @@ fn named(girths: &mut Girths, person: &Person, by_photos: Option<String>, ctx: &
     if age.is_some_and(|months| months < 0.0) {
         ctx.warn(message!(BORN_LATER));
     }
-}
-
-/// The body on its ground, with its hip where the landmarks have it.
-fn standing(mesh: &Mesh, landmarks: &Landmarks) -> Option<Body> {
-    let mut body = body(mesh, landmarks.ground_mm?)?;
-    let hip = landmarks.points.iter().find(|p| p.0 == "hip");
-    if let Some((_, [.., z])) = hip {
-        body.hip = Some(HipAt::Hidden(*z, 0.0));
-    }
-    Some(body)
 }
 
 /// All outlines, where a body was found.

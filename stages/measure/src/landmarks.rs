@@ -1,27 +1,22 @@
 //! The stage that finds where to measure, without a statistical body model.
 
-use crate::features::body::HipAt;
+use crate::features::body::Body;
 use crate::features::limb::limbs;
-use crate::features::marks::{hip, marks};
-use crate::features::standing::standing;
-use crate::model::error::ModelError;
-use crate::model::file::LevelModel;
+use crate::features::marks::marks;
+use crate::find_body::level_model;
 use crate::model::law::Place;
 use crate::model::predict::Cover;
 use crate::planes::custom::{OwnGirth, own, taken_names};
-use crate::planes::hidden::tell_hip;
 use crate::planes::joints::arm_joints;
 use crate::planes::limbs::parts;
 use crate::planes::place::{across_neck, arms, legs, trunk};
 use crate::planes::trunk::Trunk;
 use crate::planes::wanted::{Waist, Wanted};
-use shape::{Cameras, GirthId, Landmarks, Mesh, Missing, Refusal, Side, Unit};
+use shape::{BodyFeatures, GirthId, Landmarks, Mesh, Missing, Refusal, Side, Unit};
 use stage::{Ctx, Field, Files, Message, Mistake, Named, Stage, Stop, message};
 use std::sync::Arc;
 
 stage::messages! {
-    NO_FRONT = "warn-front": "no feet show which way the body faces, so the hip's and the neck's levels may be wrong: do shoes or a long coat hide them?";
-    HIP_HIDDEN = "warn-hip-hidden": "where the buttocks reach farthest back does not show, so the hip's level is estimated from the rest of the body and its interval is wider: does a skirt or coat hide it?";
     TALL = "warn-tall": " ({height:.0 cm} tall)";
     MADE_LEVELS = "warn-made-levels": "this body{tall} is outside the range of adults that the waist and chest model was fitted on (a child, a small figure, an unusual build, or a wrong stature): the levels of waist and chest come from synthetic bodies, and their intervals are wider";
     GUESSED_LEVELS = "warn-guessed-levels": "this body{tall} is outside the range that the waist and chest model knows: the levels of waist and chest are rough estimates, and their intervals are wide accordingly; check the stature, and that the whole body is visible and upright";
@@ -44,31 +39,23 @@ stage::params! {
 }
 
 stage::inputs! {
-    /// A surface, upright in the turntable frame.
+    /// A body.
     pub struct LandmarkInput {
         /// The surface.
         mesh: Arc<Mesh>,
-        /// Cameras: where the ground is said to be.
-        cameras: Option<Arc<Cameras>>,
+        /// What it shows of the body: ground, front, hip, neck.
+        features: Arc<BodyFeatures>,
         /// A level model of one's own, one TOML file; without it the one that ships.
         levels: Option<Arc<Files>>,
     }
 }
 
-stage::failures! {
-    /// Why nothing can be measured.
-    pub enum LandmarkError {
-        /// A mesh that is no body.
-        NoBody = "fail-no-body": "the surface is empty or below the ground, so there is no body to measure",
-    }
-}
-
-/// `measure.landmarks`: mesh → landmarks.
+/// `measure.landmarks`: mesh, body features → landmarks.
 pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 29;
+    const VERSION: u32 = 30;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -79,43 +66,31 @@ impl Stage for FindLandmarks {
     }
 
     fn run(p: &LandmarkParams, input: LandmarkInput, ctx: &Ctx<'_>) -> Result<Landmarks, Stop> {
-        let mesh = &input.mesh;
-        let stands = standing(mesh, input.cameras.as_deref()).ok_or(LandmarkError::NoBody)?;
-        let mut body = stands.body;
-        body.carved = input.cameras.is_some();
+        let (mesh, body) = (
+            &input.mesh,
+            Body::of(&input.mesh, (*input.features).clone()),
+        );
         let mut found = Landmarks {
-            unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
+            unit: body.unit,
             ..Landmarks::default()
         };
-        if let Some(why) = stands.refused {
+        if let Some(why) = body.refused {
             found.missing = nothing(p, why);
             return Ok(found);
         }
-        if let Some(ground) = stands.ground {
+        if body.grounded {
             found.ground_mm = Some(body.ground);
             found.stature_mm = Some(body.stature);
-            found.stature_sigma_mm = stands.stature_sigma;
-            ground.word.iter().for_each(|word| ctx.warn(word));
+            found.stature_sigma_mm = body.stature_sigma;
         }
-        found
-            .points
-            .push(("crown".into(), [0.0, 0.0, body.ground + body.stature]));
-        if let Some(z) = body.crotch {
-            found.points.push(("crotch".into(), [0.0, 0.0, z]));
-        }
+        let level = |z: f64| [0.0, 0.0, z];
+        let crown = level(body.ground + body.stature);
+        found.points.push(("crown".into(), crown));
+        let crotch = body.crotch.map(|z| ("crotch".into(), level(z)));
+        found.points.extend(crotch);
+        found.points.push(("front".into(), body.front.into()));
         let model = level_model(input.levels.as_deref())?;
         let absolute = found.unit == Unit::Metric;
-        let by_crotch = hip(&body);
-        tell_hip(&mut body, &model, absolute, stands.footing);
-        let hip = hip(&body).filter(|z| by_crotch != Some(*z));
-        found
-            .points
-            .extend(hip.map(|z| ("hip".into(), [0.0, 0.0, z])));
-        let front = ("front".to_owned(), body.front.into());
-        found.points.push(front);
-        if !body.front_is_sure {
-            ctx.warn(message!(NO_FRONT));
-        }
         let marks = marks(&body);
         let reported = marks
             .as_ref()
@@ -124,9 +99,6 @@ impl Stage for FindLandmarks {
         let cover = reported.as_ref().and_then(Trunk::cover);
         if let Some(word) = cover.and_then(|cover| word(cover, tall)) {
             ctx.warn(word);
-        }
-        if body.whole && matches!(body.hip, Some(HipAt::Hidden(..))) {
-            ctx.warn(message!(HIP_HIDDEN));
         }
         trunk(p.waist, &body, reported.as_ref(), &mut found);
         let notch = model.law(Place::Notch);
@@ -162,21 +134,6 @@ fn nothing(p: &LandmarkParams, why: Refusal) -> Vec<Missing> {
     let mut missing: Vec<Missing> = wanted.map(|id| Missing::new(id, why)).collect();
     missing.push(Missing::number("stature", why, why.message()));
     missing
-}
-
-/// The level model: the user's, or the one that ships.
-fn level_model(files: Option<&Files>) -> Result<LevelModel, Stop> {
-    let Some(files) = files else {
-        return Ok(LevelModel::built_in());
-    };
-    let [entry] = files.entries.as_slice() else {
-        return Err(ModelError::Count(files.entries.len()).into());
-    };
-    let bytes = files.read(entry)?;
-    Ok(LevelModel::read(
-        &entry.name,
-        &String::from_utf8_lossy(&bytes),
-    )?)
 }
 
 /// What is said of a body that the measured people do not cover, so tall where lengths are known. \[mm\]

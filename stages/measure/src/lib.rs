@@ -1,8 +1,8 @@
 //! From a surface to girths.
 //!
 //! ```text
-//! mesh ─ FindLandmarks ─ landmarks ─┐
-//!   └────────────────────────────────┴─ Measure ─ girths
+//! mesh ─ FindBody ─ body features ─ FindLandmarks ─ landmarks ─┐
+//!   └──────────────────┴────────────────┴──────────────────────┴─ Measure ─ girths
 //!            masks, cameras: girths by silhouettes beside them
 //! ```
 //!
@@ -11,6 +11,7 @@
 mod causes;
 mod derive;
 mod features;
+mod find_body;
 mod geometry;
 mod girths;
 mod growth;
@@ -23,7 +24,7 @@ mod sections;
 mod uncertainty;
 
 pub use features::arms::{Axis, arm_ring, clear, merged, upper_arm_axis};
-pub use features::body::{Body, HipAt, body, nearest_ring};
+pub use features::body::{Body, body, nearest_ring};
 pub use features::ground::{GivenGround, Ground, ground};
 pub use features::limb::bend::Line;
 pub use features::limb::follow::Knot;
@@ -32,6 +33,7 @@ pub use features::marks::{Marks, marks};
 pub use features::neck::{NeckFeatures, neck_features};
 pub use features::reach::{BodyExtents, reach};
 pub use features::readings::{READINGS_VERSION, Reading, Readings, readings};
+pub use find_body::{BodyError, BodyInput, FindBody};
 pub use geometry::carry::{Carried, RAYS, carried, ray, reaches};
 pub use geometry::section::{Loop, area, axes, centre, flat, hull, length, section, tape};
 pub use geometry::slices::{Ring, Slice, level, rings, slices};
@@ -42,7 +44,7 @@ pub use girths::{GirthInput, GirthParams, Measure};
 pub use import::file::ImportError;
 pub use import::girths::{GirthsFileInput, ImportGirths};
 pub use import::landmarks::{ImportLandmarks, LandmarksFileInput};
-pub use landmarks::{FindLandmarks, LandmarkError, LandmarkInput, LandmarkParams};
+pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams};
 pub use model::error::ModelError;
 pub use model::file::LevelModel;
 pub use model::fit_error::FitError;
@@ -66,6 +68,7 @@ pub use uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<FindBody>().failing(CODED),
     &stage::erase::<FindLandmarks>().failing(CODED),
     &stage::erase::<Measure>().failing(CODED),
     &stage::erase::<FitLevels>().failing(CODED),
@@ -79,14 +82,15 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     derive::MESSAGES,
     features::ground::MESSAGES,
     features::whole::MESSAGES,
+    find_body::MESSAGES,
     girths::MESSAGES,
     landmarks::MESSAGES,
     planes::joints::MESSAGES,
     planes::place::MESSAGES,
     remarks::MESSAGES,
     uncertainty::clothes::MESSAGES,
-    LandmarkError::MESSAGES,
+    BodyError::MESSAGES,
 ];
 
 /// The errors that have codes.
-const CODED: &[stage::Recognise] = &[stage::recognise::<LandmarkError>];
+const CODED: &[stage::Recognise] = &[stage::recognise::<BodyError>];

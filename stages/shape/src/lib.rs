@@ -6,12 +6,13 @@
 //!
 //! ```text
 //! Photos ─ Keypoints ─ Tracks ─ Cameras ─┐
-//!    ├──────────────── Masks ────────────┴─ Mesh ─ Landmarks ─ Girths ─ Document
+//!    ├──────────────── Masks ────────────┴─ Mesh ─ BodyFeatures ─ Landmarks ─ Girths ─ Document
 //!    └─ Aligned ─ Scene ─ Evidence ─ Labels ─┘ (to Masks)
 //!    └─ People ─ LostParts (with Masks)
 //! ```
 
 mod aligned;
+mod body_features;
 mod bones;
 mod by_photo;
 mod camera;
@@ -69,6 +70,7 @@ mod unit;
 mod warps;
 
 pub use aligned::{Aligned, Alignment, Tones, toned};
+pub use body_features::{BodyFeatures, HipAt};
 pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Length, Scale, View};

@@ -119,6 +119,7 @@ pub fn upper_arm_axis(body: &Body, side: f64, hip: f64) -> Option<Axis> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shape::{BodyFeatures, Unit};
 
     fn ring(x: f64, z: f64, radius: f64) -> Ring {
         let area = std::f64::consts::PI * radius * radius;
@@ -144,17 +145,23 @@ mod tests {
             Slice { z, rings }
         });
         Body {
-            ground: 0.0,
-            stature: 1750.0,
-            front: -Vector3::y(),
-            front_is_sure: true,
+            shown: BodyFeatures {
+                unit: Unit::Metric,
+                refused: None,
+                ground: 0.0,
+                grounded: true,
+                stature: 1750.0,
+                stature_sigma: None,
+                front: -Vector3::y(),
+                front_is_sure: true,
+                crotch: Some(850.0),
+                legs_join: Some(850.0),
+                whole: true,
+                carved: false,
+                hip: None,
+                neck: Some(1550.0),
+            },
             left: Vector3::x(),
-            crotch: Some(850.0),
-            legs_join: Some(850.0),
-            whole: true,
-            carved: false,
-            hip: None,
-            neck: Some(1550.0),
             slices: slices.collect(),
         }
     }

@@ -2,50 +2,48 @@
 
 use crate::geometry::slices::{Ring, Slice, rings, slices};
 use nalgebra::{Point3, Vector3};
-use shape::{Mesh, Plane};
-
-/// Where the hip of a body is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum HipAt {
-    /// Where the back reaches farthest between two heights. \[mm\]
-    Between(f64, f64),
-    /// At a height that the rest of the body tells, with its standard deviation: the buttocks do not show. \[mm\]
-    Hidden(f64, f64),
-}
+use shape::{BodyFeatures, HipAt, Mesh, Plane};
+use std::ops::{Deref, DerefMut};
 
 /// How far below and above the crotch that shows the buttocks are looked for, as shares of stature.
 const ABOUT_CROTCH: [f64; 2] = [0.01, 0.16];
 
-/// What the slices of an upright body tell.
+/// An upright body, cut into slices, and what they show.
 #[derive(Debug, Clone)]
 pub struct Body {
-    /// Height of the ground. \[mm\]
-    pub ground: f64,
-    /// Crown above the ground. \[mm\]
-    pub stature: f64,
-    /// The way it faces: horizontal, unit.
-    pub front: Vector3<f64>,
-    /// Whether feet tell the way it faces; else it is called -y.
-    pub front_is_sure: bool,
+    /// What they show.
+    pub shown: BodyFeatures,
     /// Its left.
     pub left: Vector3<f64>,
-    /// Where two legs that show become one. \[mm\] `None` without two legs.
-    pub crotch: Option<f64>,
-    /// Where legs that show become one, however low: thighs that touch join far below the crotch. \[mm\]
-    pub legs_join: Option<f64>,
-    /// Whether it is a body from crown to soles: its legs show, or all else that shows fits one.
-    pub whole: bool,
-    /// Whether the surface was carved from outlines, which leave webs in folds of the skin.
-    pub carved: bool,
-    /// Where the hip is. `None` where nothing tells.
-    pub hip: Option<HipAt>,
-    /// Height of the narrowest of the neck. \[mm\] `None` without a neck.
-    pub neck: Option<f64>,
     /// The slices, from the ground up.
     pub slices: Vec<Slice>,
 }
 
+impl Deref for Body {
+    type Target = BodyFeatures;
+
+    fn deref(&self) -> &BodyFeatures {
+        &self.shown
+    }
+}
+
+impl DerefMut for Body {
+    fn deref_mut(&mut self) -> &mut BodyFeatures {
+        &mut self.shown
+    }
+}
+
 impl Body {
+    /// Cuts a surface of which this is known.
+    pub fn of(mesh: &Mesh, shown: BodyFeatures) -> Body {
+        let high = mesh.bounds().map_or(shown.ground, |(_, high)| high.z);
+        Body {
+            left: Vector3::z().cross(&shown.front),
+            slices: slices(mesh, shown.ground, high, shown.stature / 400.0),
+            shown,
+        }
+    }
+
     /// The ring of the trunk at a height: the largest. \[mm\]
     pub fn trunk(&self, z: f64) -> Option<&Ring> {
         self.slice(z)?.rings.first()
@@ -83,17 +81,18 @@ impl Body {
 
 /// Reads a body from its mesh; upright is z.
 pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
-    let (_, high) = mesh.bounds()?;
-    let stature = high.z - ground;
+    let stature = mesh.bounds()?.1.z - ground;
     if stature <= 0.0 {
         return None;
     }
-    let slices = slices(mesh, ground, high.z, stature / 400.0);
-    let mut body = Body {
+    let unread = BodyFeatures {
+        unit: mesh.unit,
+        refused: None,
         ground,
+        grounded: false,
         stature,
+        stature_sigma: None,
         front: -Vector3::y(),
-        left: Vector3::x(),
         front_is_sure: false,
         crotch: None,
         legs_join: None,
@@ -101,8 +100,8 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
         carved: false,
         hip: None,
         neck: None,
-        slices,
     };
+    let mut body = Body::of(mesh, unread);
     body.legs_join = legs_join(&body);
     body.crotch = body.legs_join.filter(|z| z - ground >= LEGS * stature);
     body.whole = body.crotch.is_some();

@@ -1,9 +1,10 @@
 //! Heights that the shape of a body marks, so that a visual hull shows them as well as the body.
 
-use crate::features::body::{Body, HipAt};
+use crate::features::body::Body;
 use crate::features::extent::{breadth, depth};
 use crate::features::reach::{BodyExtents, reach};
 use crate::geometry::slices::Slice;
+use shape::HipAt;
 
 /// Heights above the ground that the outline of an upright body marks, and how its arms hang. \[mm\]
 ///

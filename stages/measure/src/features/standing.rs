@@ -3,21 +3,17 @@
 use crate::features::body::{Body, body};
 use crate::features::ground::{GivenGround, Ground, LOST, ground};
 use crate::features::upright::unfit;
-use shape::{Cameras, Mesh, Refusal, Scale};
+use shape::{Cameras, Mesh, Scale};
+use stage::Message;
 
-/// A body, and where it stands.
+/// A body on its ground; without one above its lowest point.
 pub(crate) struct Standing {
-    /// The body, above its ground; without one above its lowest point.
+    /// The body.
     pub(crate) body: Body,
-    /// Its ground.
-    pub(crate) ground: Option<Ground>,
-    /// What of it touches that.
+    /// What of it touches the ground.
     pub(crate) footing: Footing,
-    /// Standard deviation of its stature: ground, crown and scale; `None` where that of the scale is not
-    /// known. \[mm\]
-    pub(crate) stature_sigma: Option<f64>,
-    /// Why nothing can be told of it.
-    pub(crate) refused: Option<Refusal>,
+    /// What is odd about the ground.
+    pub(crate) word: Option<Message>,
 }
 
 /// What of a body touches its ground.
@@ -48,23 +44,29 @@ fn reported(cameras: &Cameras) -> GivenGround {
 pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standing> {
     let found = ground(mesh, cameras.map(reported).as_ref());
     let lowest = mesh.bounds()?.0.z;
-    let body = body(mesh, found.as_ref().map_or(lowest, |g| g.height_mm))?;
+    let mut body = body(mesh, found.as_ref().map_or(lowest, |g| g.height_mm))?;
     // Without legs that is said, not that there are no feet.
     let nowhere = found.as_ref().err().filter(|_| body.crotch.is_some());
-    let refused = unfit(mesh, &body).or(nowhere.copied());
     // A surface from elsewhere is taken at its word.
     let scale = cameras.map_or(Some(0.0), |c| c.scale_sigma);
     let crown = 0.5 * mesh.mean_edge();
     let below = found.as_ref().map_or(0.0, |g| g.sigma_mm);
     let reaches = |g: &Ground| lowest - g.height_mm < LOST * body.stature;
+    let footing = Footing {
+        reaches_ground: found.as_ref().is_ok_and(reaches),
+        feet: found.as_ref().is_ok_and(|g| g.feet),
+    };
+    body.unit = cameras.map_or(mesh.unit, |c| c.scale.unit());
+    body.carved = cameras.is_some();
+    body.refused = unfit(mesh, &body).or(nowhere.copied());
+    body.grounded = found.is_ok();
+    body.stature_sigma = scale.map(|s| libm::hypot(libm::hypot(below, crown), s * body.stature));
     Some(Standing {
-        footing: Footing {
-            reaches_ground: found.as_ref().is_ok_and(reaches),
-            feet: found.as_ref().is_ok_and(|g| g.feet),
-        },
-        ground: found.ok(),
-        stature_sigma: scale.map(|s| libm::hypot(libm::hypot(below, crown), s * body.stature)),
-        refused,
+        word: found
+            .ok()
+            .filter(|_| body.refused.is_none())
+            .and_then(|g| g.word),
+        footing,
         body,
     })
 }

@@ -2,8 +2,8 @@
 
 use crate::features::limb::limbs;
 use crate::features::standing::standing;
+use crate::find_body::BodyError;
 use crate::import::file::{FilePlane, FileUnit, ImportError, once, read, region, word};
-use crate::landmarks::LandmarkError;
 use crate::planes::limbs::parts;
 use serde::Deserialize;
 use shape::{Cameras, GirthId, Landmark, Landmarks, Mesh, Part, PlaneSigma, Unit};
@@ -104,18 +104,19 @@ impl Stage for ImportLandmarks {
             })
         });
         let found = found.collect::<Result<Vec<_>, _>>()?;
-        let stands = standing(mesh, input.cameras.as_deref()).ok_or(LandmarkError::NoBody)?;
+        let stands = standing(mesh, input.cameras.as_deref()).ok_or(BodyError::NoBody)?;
+        let body = stands.body;
         let mut all = Landmarks {
             unit,
             found,
-            parts: parts(mesh, &stands.body, &limbs(mesh, &stands.body)),
+            parts: parts(mesh, &body, &limbs(mesh, &body)),
             ..Landmarks::default()
         };
-        if let Some(ground) = stands.ground.filter(|_| stands.refused.is_none()) {
-            all.ground_mm = Some(stands.body.ground);
-            all.stature_mm = Some(stands.body.stature);
-            all.stature_sigma_mm = stands.stature_sigma;
-            ground.word.iter().for_each(|word| ctx.warn(word));
+        if body.is_measurable() {
+            all.ground_mm = Some(body.ground);
+            all.stature_mm = Some(body.stature);
+            all.stature_sigma_mm = body.stature_sigma;
+            stands.word.iter().for_each(|word| ctx.warn(word));
         }
         Ok(all)
     }

@@ -1,12 +1,13 @@
 //! What does not show of a body, by what does: the hip where thighs touch or clothes hide the crotch, and whether it is a whole body
 //! at all.
 
-use crate::features::body::{Body, HipAt};
+use crate::features::body::Body;
 use crate::features::marks::farthest_back;
 use crate::features::readings::{Reading, by_neck, size};
 use crate::features::standing::Footing;
 use crate::model::file::LevelModel;
 use crate::model::predict::SIZES;
+use shape::HipAt;
 
 /// More likely whole than cut off (structural).
 const EVEN: f64 = 0.5;

@@ -1,6 +1,6 @@
 //! Where the trunk's girths are taken: hip from the surface, the other levels from the model.
 
-use crate::features::body::{Body, HipAt};
+use crate::features::body::Body;
 use crate::features::marks::{Marks, hip};
 use crate::features::readings::{Reading, Readings, readings};
 use crate::features::whole::no_stature;
@@ -9,7 +9,7 @@ use crate::model::file::LevelModel;
 use crate::model::level::Level;
 use crate::model::predict::{Cover, LevelEstimate, SIZES};
 use nalgebra::Point3;
-use shape::{Plane, PlaneSigma, Refusal};
+use shape::{HipAt, Plane, PlaneSigma, Refusal};
 
 /// A level plane around the middle of the trunk.
 pub(crate) fn across(body: &Body, z: f64) -> Plane {

@@ -87,8 +87,10 @@ fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
         points: some.map(|p| p.map(f64::from).to_vec()).collect(),
         ..Default::default()
     };
+    let cut = Arc::new(cut);
     let input = GirthInput {
-        mesh: Arc::new(cut),
+        features: made::features(&cut, None),
+        mesh: cut,
         landmarks: Arc::new(Landmarks::default()),
         cameras: None,
         photos: None,

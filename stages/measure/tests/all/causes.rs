@@ -96,9 +96,10 @@ fn with_lost(
 ) -> (Girths, Vec<String>) {
     let mesh = Arc::new(mesh.clone());
     let cameras = Some(Arc::new(cameras()));
+    let features = made::features(&mesh, cameras.as_ref());
     let input = LandmarkInput {
         mesh: mesh.clone(),
-        cameras: cameras.clone(),
+        features: features.clone(),
         levels: None,
     };
     let heard = Heard::default();
@@ -111,6 +112,7 @@ fn with_lost(
     };
     let input = GirthInput {
         mesh,
+        features,
         landmarks: Arc::new(landmarks),
         cameras,
         photos: Some(Arc::new(photos)),

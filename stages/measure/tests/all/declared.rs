@@ -17,7 +17,7 @@ fn mesh() -> Arc<Mesh> {
 fn landmarks(mesh: &Arc<Mesh>, params: &LandmarkParams) -> Landmarks {
     let input = LandmarkInput {
         mesh: mesh.clone(),
-        cameras: None,
+        features: made::features(mesh, None),
         levels: None,
     };
     FindLandmarks::run(params, input, &Ctx::alone()).unwrap()
@@ -35,6 +35,7 @@ fn girths_by(
 ) -> Girths {
     let input = GirthInput {
         mesh: mesh.clone(),
+        features: made::features(mesh, None),
         landmarks: Arc::new(landmarks),
         cameras,
         photos: None,
@@ -132,9 +133,10 @@ fn a_name_that_is_taken_is_told() {
         girth: Named([("WC".to_owned(), OwnGirth::default())].into()),
         ..Default::default()
     };
+    let mesh = mesh();
     let input = LandmarkInput {
-        mesh: mesh(),
-        cameras: None,
+        features: made::features(&mesh, None),
+        mesh,
         levels: None,
     };
     let Err(stage::Stop::Failed(why)) = FindLandmarks::run(&params, input, &Ctx::alone()) else {
@@ -258,6 +260,7 @@ fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
         };
         let input = GirthInput {
             mesh: mesh.clone(),
+            features: made::features(&mesh, None),
             landmarks: Arc::new(landmarks(&mesh, &LandmarkParams::default())),
             cameras: None,
             photos: Some(Arc::new(photos)),

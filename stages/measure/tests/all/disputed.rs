@@ -10,9 +10,10 @@ use std::sync::Arc;
 #[test]
 fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_it() {
     let mesh = Arc::new(made::meshed(&made::built(1700.0, 1.0, 30.0), 12.0));
+    let features = made::features(&mesh, None);
     let input = LandmarkInput {
         mesh: mesh.clone(),
-        cameras: None,
+        features: features.clone(),
         levels: None,
     };
     let found = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
@@ -33,6 +34,7 @@ fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_
         photos.rig.stature_mm = Some(stature_mm);
         let input = GirthInput {
             mesh: mesh.clone(),
+            features: features.clone(),
             landmarks: Arc::new(found.clone()),
             cameras: Some(Arc::new(cameras)),
             photos: Some(Arc::new(photos)),

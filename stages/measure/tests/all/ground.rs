@@ -52,9 +52,10 @@ fn landmarks(mesh: Mesh, ground_mm: f64, scale: Scale) -> Landmarks {
         ground_mm,
         points: vec![],
     };
+    let mesh = Arc::new(mesh);
     let input = LandmarkInput {
-        mesh: Arc::new(mesh),
-        cameras: Some(Arc::new(cameras)),
+        features: made::features(&mesh, Some(&Arc::new(cameras))),
+        mesh,
         levels: None,
     };
     FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap()

@@ -94,7 +94,7 @@ fn a_lean_that_is_set_adds_to_the_necks_own() {
         };
         let input = LandmarkInput {
             mesh: mesh.clone(),
-            cameras: None,
+            features: crate::made::features(&mesh, None),
             levels: None,
         };
         let found = FindLandmarks::run(&params, input, &Ctx::alone())

@@ -61,14 +61,16 @@ fn measured(mesh: Mesh, firm: bool) -> Girths {
             points: vec![],
         })
     });
+    let features = made::features(&mesh, cameras.as_ref());
     let input = LandmarkInput {
         mesh: mesh.clone(),
-        cameras: cameras.clone(),
+        features: features.clone(),
         levels: None,
     };
     let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
     let input = GirthInput {
         mesh,
+        features,
         landmarks: Arc::new(landmarks),
         cameras,
         photos: None,

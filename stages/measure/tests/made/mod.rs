@@ -1,7 +1,7 @@
 //! Bodies given by formula, and what is measured on a surface.
 
-use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
-use shape::{Girths, Landmarks, Mesh, Solid};
+use measure::{BodyInput, FindBody, FindLandmarks, GirthInput, LandmarkInput, Measure};
+use shape::{BodyFeatures, Cameras, Girths, Landmarks, Mesh, Solid};
 use stage::{Ctx, Stage};
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};
@@ -33,16 +33,27 @@ pub(crate) fn meshed(solid: &Solid, cell_mm: f64) -> Mesh {
     })
 }
 
+/// What a surface shows of its body, on the ground of cameras if they are given.
+pub(crate) fn features(mesh: &Arc<Mesh>, cameras: Option<&Arc<Cameras>>) -> Arc<BodyFeatures> {
+    let input = BodyInput {
+        mesh: mesh.clone(),
+        cameras: cameras.cloned(),
+        levels: None,
+    };
+    Arc::new(FindBody::run(&(), input, &Ctx::alone()).unwrap())
+}
+
 /// Landmarks and girths of a surface alone, without cameras and photos.
 pub(crate) fn measured(mesh: Mesh) -> (Landmarks, Girths) {
     let mesh = Arc::new(mesh);
     let input = LandmarkInput {
         mesh: mesh.clone(),
-        cameras: None,
+        features: features(&mesh, None),
         levels: None,
     };
     let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
     let input = GirthInput {
+        features: features(&mesh, None),
         mesh,
         landmarks: Arc::new(landmarks.clone()),
         cameras: None,
