@@ -54,3 +54,64 @@ pub(super) fn fold(at: &impl Fn(usize) -> [f64; 2], count: usize, turn: f64) -> 
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The outline of an arm of 50 mm beside a trunk of 150 mm whose middles are so far apart, from the arm's outermost point on,
+    /// clockwise, a sample a millimetre; and how many of them are the arm's.
+    fn outline(apart: f64) -> (Vec<[f64; 2]>, usize) {
+        let (arm, trunk) = (50.0f64, 150.0f64);
+        let x = (arm * arm - trunk * trunk + apart * apart) / (2.0 * apart);
+        let y = (arm * arm - x * x).max(0.0).sqrt();
+        let (end, from) = (libm::atan2(y, x), libm::atan2(y, x - apart));
+        let arc = |at: f64, radius: f64, from: f64, to: f64| {
+            let steps = (radius * (from - to).abs()) as usize;
+            let angle = move |k: usize| from + (to - from) * k as f64 / steps as f64;
+            (0..steps)
+                .map(move |k| libm::sincos(angle(k)))
+                .map(move |(s, c)| [at + radius * c, radius * s])
+        };
+        let upper = arc(0.0, arm, TAU / 2.0, end);
+        let lower = arc(0.0, arm, -end, -TAU / 2.0);
+        let own = upper.clone().count();
+        let round = arc(apart, trunk, from, -from);
+        (upper.chain(round).chain(lower).collect(), own)
+    }
+
+    #[test]
+    fn an_arm_ends_where_its_outline_turns_back_to_the_trunk_and_alone_it_ends_nowhere() {
+        for apart in [160.0, 180.0, 195.0] {
+            let (points, own) = outline(apart);
+            let n = points.len();
+            let there = fold(&|k| points[k % n], n, -1.0).unwrap();
+            let back = fold(&|k| points[(2 * n - k) % n], n, 1.0).unwrap();
+            for found in [&there, &back] {
+                let turned = own as f64 / 50.0;
+                assert!(
+                    (found.turned - turned).abs() < 2.0 * STRAIGHT,
+                    "{apart}: {}",
+                    found.turned
+                );
+                assert!(
+                    (own - 2 * REACH..=own).contains(&found.steps),
+                    "{apart}: {}",
+                    found.steps
+                );
+                assert!(
+                    (own..=own + 2 * REACH).contains(&found.beyond),
+                    "{apart}: {}",
+                    found.beyond
+                );
+                let way = libm::atan2(found.way[1].abs(), found.way[0]);
+                proof::near(way, found.turned - TAU / 4.0, 2.0 * STRAIGHT);
+            }
+        }
+        let alone: Vec<[f64; 2]> = (0..314)
+            .map(|k| libm::sincos(f64::from(k) / 50.0))
+            .map(|(s, c)| [-50.0 * c, 50.0 * s])
+            .collect();
+        assert!(fold(&|k| alone[k % 314], 314, -1.0).is_none());
+    }
+}
