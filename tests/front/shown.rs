@@ -66,7 +66,7 @@ fn what_is_shown_without_a_place_is_printed_or_written_under_its_nodes_name() {
 }
 
 #[test]
-fn what_another_program_made_is_named_when_it_is_shown() {
+fn what_was_otherwise_in_the_run_that_made_it_is_named() {
     let place = Place::new();
     place.run("run small.toml").code(0);
     let show = || {
@@ -81,14 +81,30 @@ fn what_another_program_made_is_named_when_it_is_shown() {
         .find(|path| path.extension().is_some_and(|e| e == "json"))
         .unwrap();
     let record = std::fs::read_to_string(&run).unwrap();
-    let stage = "\"stage\":\"synth.body\",\"version\":";
+    let stage = "[\"stage\",\"synth.body v";
     assert_eq!(record.matches(stage).count(), 1, "{record}");
     std::fs::write(&run, record.replace(stage, &format!("{stage}9"))).unwrap();
     let named = show().err;
     assert!(
-        named.contains("another program, in which synth.body"),
+        named.contains("the stage of `body` was synth.body v9"),
         "{named}"
     );
+    // So is an edited pipeline's param; a value that is asked for is found, the default's, too.
+    let place = Place::new();
+    place.run("run small.toml").code(0);
+    let coarse = SMALL.replace("cell_mm = 40.0", "cell_mm = 50.0");
+    place.write("small.toml", &coarse);
+    let show = |more: &str| {
+        place.run(&format!(
+            "show body --pipeline small.toml -o body.ply {more}"
+        ))
+    };
+    let named = show("").code(0).err;
+    let was = "body is of an earlier run, in which body.cell_mm was 40.0 and would be 50.0;";
+    assert!(named.starts_with(was), "{named}");
+    assert_eq!(show("--set body.cell_mm=40").code(0).err, "");
+    let none = show("--set body.cell_mm=50").code(2).err;
+    assert!(none.contains("with these changes"), "{none}");
 }
 
 #[test]

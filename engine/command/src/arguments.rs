@@ -18,7 +18,7 @@ pub struct Wanted {
 }
 
 /// What is changed on the command line.
-#[derive(Args, Clone)]
+#[derive(Args, Clone, Default)]
 pub struct Change {
     /// Hand over an input: NAME=FOLDER
     #[arg(long)]

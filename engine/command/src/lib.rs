@@ -51,6 +51,7 @@ mod search_report;
 mod search_strands;
 mod shared;
 mod show;
+mod show_runs;
 mod size;
 mod speech;
 mod store;

@@ -5,12 +5,12 @@ use super::fault::Fault;
 use super::open::{folders, node, open_pipeline};
 use super::program::GlobalArgs;
 use super::ran::Ran;
+use super::show_runs::{asked, entry, fits, otherwise, reads};
 use super::speech::answer_bytes;
 use clap::Args;
-use engine::graph::{Bound, Graph, Source};
-use engine::key::{self, Provenance};
+use engine::graph::Graph;
 use engine::store::{Blob, Store};
-use engine::{delivery, out, past, walk};
+use engine::{delivery, out, past};
 use serde_json::{Value, json};
 use stage::{AnyArtifact, Hash};
 use std::io::IsTerminal;
@@ -33,54 +33,6 @@ pub(crate) struct Show {
     /// standard output, the rest into a file or a folder here that is called like the node
     #[arg(short)]
     o: Option<PathBuf>,
-}
-
-/// A node's entry in a run's record.
-fn entry<'a>(run: &'a Value, node: &str) -> Option<&'a Value> {
-    run["nodes"].as_array()?.iter().find(|n| n["node"] == node)
-}
-
-/// Whether the node and all that it needs had these stages and params in a run.
-fn fits(run: &Value, graph: &Graph, node: usize) -> bool {
-    let same = |node: &Bound| {
-        let mut provenance = Provenance::default();
-        key::describe_recipe(node, &mut provenance);
-        let lines = entry(run, &node.name).map(|n| n["provenance"].clone());
-        let lines = serde_json::from_value::<Vec<(String, String)>>(lines.unwrap_or_default());
-        lines.is_ok_and(|lines| lines.starts_with(&provenance.0))
-    };
-    let needed = walk::all(graph, &[node]);
-    needed.into_iter().all(|i| same(&graph.nodes[i]))
-}
-
-/// Whether a run read these contents of the inputs that the node needs; `None` is any.
-fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> bool {
-    let same = |node: &Bound| {
-        let mut ports = node.ports.iter().zip(&node.from);
-        ports.all(|(port, source)| {
-            let Some(Source::Input(input)) = source else {
-                return true;
-            };
-            let same = |hash: Hash| {
-                let line = json!([format!("from {}", port.name), hash.to_hex().as_str()]);
-                let provenance = entry(run, &node.name).and_then(|n| n["provenance"].as_array());
-                provenance.is_some_and(|provenance| provenance.contains(&line))
-            };
-            contents[*input].is_none_or(same)
-        })
-    };
-    let needed = walk::all(graph, &[node]);
-    needed.into_iter().all(|i| same(&graph.nodes[i]))
-}
-
-/// The first of the node and all that it needs whose stage had another version in a run.
-fn otherwise<'a>(run: &Value, graph: &'a Graph, node: usize) -> Option<&'a Bound> {
-    let other = |node: &&Bound| {
-        let version = entry(run, &node.name).and_then(|n| n["version"].as_u64());
-        version.is_some_and(|version| version != u64::from(node.stage.version()))
-    };
-    let needed = walk::all(graph, &[node]).into_iter();
-    needed.map(|i| &graph.nodes[i]).find(other)
 }
 
 /// A picture under another picture's ending would be opened by nobody.
@@ -198,11 +150,12 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
         .map(|f| f.as_ref().map(stage::content))
         .collect();
     let changed = show.change.changes();
+    let asked = asked(show.pipeline.as_deref(), &show.change, &graph, global)?;
     let newest = |name: &str| {
         let at = graph.node(name)?;
         // One after the other: a store may hold many large ones.
         let mut fitting = engine::runs(store.root())
-            .filter(|(_, run)| !changed || fits(run, &graph, at))
+            .filter(|(_, run)| fits(run, &graph, at, &asked))
             .filter(|(_, run)| reads(run, &graph, at, &contents));
         fitting.find_map(|(id, run)| {
             let result = result(&store, &graph, &run, name)?;
@@ -221,10 +174,9 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
             "the cache holds no result of `{name}`{of}{so}; run the pipeline first"
         ))
     })?;
-    if let Some(node) = otherwise(&run, &graph, wanted) {
+    if let Some(what) = otherwise(&run, &graph, wanted, show.pipeline.as_deref()) {
         crate::errln!(
-            "{name} is of another program, in which {} was another version; run the pipeline for a new one",
-            node.stage.name()
+            "{name} is of an earlier run, in which {what}; run the pipeline for a new one"
         );
     }
     // Of the same run if it is there.
