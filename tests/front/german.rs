@@ -63,8 +63,35 @@ fn folders() -> Place {
     place.photos("many", 9);
     place.write("many/a\nb.jpg", "x");
     place.write("mine/capture.toml", "");
+    for (at, known) in MISTAKES.iter().enumerate() {
+        let folder = format!("known/{at}");
+        place.photos(&folder, 9);
+        place.write(&format!("{folder}/capture.toml"), known);
+    }
     place
 }
+
+/// What may be wrong in a `capture.toml`.
+const MISTAKES: [&str; 18] = [
+    "step_deg = \"twenty\"",
+    "plate = 5",
+    "images = [5]",
+    "camera = 5",
+    "camera.centre_px = [1]",
+    "date = \"2026-02-30\"",
+    "reference.kind = \"points\"",
+    "reference = { kind = \"points\", length_mm = 297 }",
+    "reference = { kind = \"a\", length_mm = 297, seen.a = [1, 2, 3, 4] }",
+    "reference = { kind = \"points\", length_mm = 297, seen.a = [1, 2, 3] }",
+    "mat = { family = \"tag16h5\", count = 3, tag_size_mm = 60, ring_radius_mm = 187 }",
+    "mat = { ids = [9, 3], tag_size_mm = 60, ring_radius_mm = 187 }",
+    "mat = { ids = [0, 9], count = 3, tag_size_mm = 60, ring_radius_mm = 187 }",
+    "mat = { count = 3, tag_size_mm = 60 }",
+    "rim = { count = 3, tag_size_mm = 24 }",
+    "rim = { count = 3, tag_size_mm = 24 }\nmat = { count = 3, tag_size_mm = 60, ring_radius_mm = 187 }",
+    "subject.sex = \"f\"",
+    "subject = { born = \"2016-05-01\", age_years = 9 }",
+];
 
 #[test]
 fn no_error_that_who_measures_meets_is_the_same_in_german() {
@@ -123,13 +150,15 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
         "measure turn turn --out one",
         "measure empty empty/../raw --out one",
     ];
+    let known = (0..MISTAKES.len()).map(|at| format!("measure known/{at}"));
+    let known = known.map(|line| (line, "--lang de"));
     let verbs = [
         "init turn/0000.jpg",
         "init mine",
         "mat --diameter-mm 600 -o mat.png",
     ];
     let verbs = verbs.map(|line| (line.to_owned(), "LANG"));
-    for (line, german) in looked.chain(measured.map(out)).chain(verbs) {
+    for (line, german) in looked.chain(measured.map(out)).chain(known).chain(verbs) {
         let [english, german] = both(&place, &line, german).map(|printed| printed.err);
         // Names of folders and nodes are the same.
         let sentence = |line: &&str| line.split_whitespace().count() > 2;

@@ -2,6 +2,7 @@
 
 use crate::keys::{Keys, RigError};
 use shape::day_number;
+use stage::message;
 use toml::Value;
 
 /// Where the day of a capture comes from.
@@ -13,7 +14,9 @@ pub(crate) enum Day {
     Exif,
 }
 
-const WANTS: &str = "a day such as \"2026-05-01\", or \"exif\" to take the photos' own";
+stage::messages! {
+    DAY_OR_EXIF = "rig-day-or-exif": "a day such as \"2026-05-01\", or \"exif\" to take the photos' own";
+}
 
 /// The key `date` of `capture.toml`.
 pub(crate) fn read_day(root: &mut Keys<'_>) -> Result<Option<Day>, RigError> {
@@ -24,7 +27,7 @@ pub(crate) fn read_day(root: &mut Keys<'_>) -> Result<Option<Day>, RigError> {
     match text.as_str() {
         "exif" => Ok(Some(Day::Exif)),
         day if day_number(day).is_some() => Ok(Some(Day::Given(text))),
-        _ => Err(root.wrong("date", WANTS, &value)),
+        _ => Err(root.wrong("date", message!(DAY_OR_EXIF), &value)),
     }
 }
 

@@ -27,12 +27,15 @@ impl ParamType for Facts {
         let facts = Facts(given.clone());
         match read_table(facts.table()) {
             Ok(RigFile { unknown, .. }) => {
-                unknown.into_iter().for_each(&mut wrong);
+                unknown.iter().for_each(|what| wrong(what.to_string()));
                 let person = read_person(facts.table());
-                person.err().into_iter().for_each(|e| wrong(e.what));
+                person
+                    .err()
+                    .into_iter()
+                    .for_each(|e| wrong(e.what.to_string()));
             }
             Err(error) if error.missing => {}
-            Err(error) => wrong(error.what),
+            Err(error) => wrong(error.what.to_string()),
         }
         Some(facts)
     }

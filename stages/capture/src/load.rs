@@ -94,7 +94,7 @@ impl Stage for Load {
     fn run(p: &LoadParams, input: LoadInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
         let files = &input.files;
         let known = known(files, p)?;
-        let warn = |key: &String| ctx.warn(message!(TOML, what = key));
+        let warn = |what: &stage::Message| ctx.warn(message!(TOML, what = what.clone()));
         known.unknown.iter().for_each(warn);
         crate::rig_tags::doubts(&known.rig)
             .iter()

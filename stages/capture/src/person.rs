@@ -51,7 +51,7 @@ impl Stage for Personal {
 fn described(text: &str, facts: &Facts) -> Result<Person, RigError> {
     let table: Table = text
         .parse()
-        .map_err(|e: toml::de::Error| RigError::wrong(e))?;
+        .map_err(|e: toml::de::Error| RigError::wrong(e.to_string()))?;
     read_person(facts.over(table)).map_err(|error| RigError {
         beside: !facts.0.is_empty(),
         ..error

@@ -3,7 +3,14 @@
 use crate::date::{Day, day_text, read_day};
 use crate::keys::{Keys, RigError};
 use shape::{Person, Sex, day_number};
+use stage::message;
 use toml::Table;
+
+stage::messages! {
+    SEXES = "rig-sexes": "\"female\" or \"male\" (whose growth reference is meant)";
+    DAY = "rig-day": "a day such as \"2016-05-01\"";
+    ONE_FACT = "rig-one-fact": "`subject.born` and `subject.age_years` are the same fact: leave one of them out";
+}
 
 /// The keys that describe who is measured and when: nothing of the photos depends on them.
 pub const PERSONAL: [&str; 6] = [
@@ -39,26 +46,22 @@ pub(crate) fn read_person(table: Table) -> Result<Person, RigError> {
         None => None,
         Some(value) => {
             let sex = value.as_str().and_then(Sex::read);
-            let wants = "\"female\" or \"male\" (whose growth reference is meant)";
-            Some(sex.ok_or_else(|| subject.wrong("sex", wants, &value))?)
+            Some(sex.ok_or_else(|| subject.wrong("sex", message!(SEXES), &value))?)
         }
     };
     let born = match subject.take("born") {
         None => None,
         Some(value) => {
             let day = day_text(&value);
-            let wants = "a day such as \"2016-05-01\"";
             match day_number(&day) {
                 Some(_) => Some(day),
-                None => return Err(subject.wrong("born", wants, &value)),
+                None => return Err(subject.wrong("born", message!(DAY), &value)),
             }
         }
     };
     let years = subject.known("age_years")?;
     if born.is_some() && years.is_some() {
-        let both =
-            "`subject.born` and `subject.age_years` are the same fact: leave one of them out";
-        return Err(RigError::wrong(both));
+        return Err(RigError::wrong(message!(ONE_FACT)));
     }
     Ok(Person {
         sex,

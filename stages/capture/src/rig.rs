@@ -6,7 +6,15 @@ use crate::keys::{Keys, RigError};
 use crate::person_keys::pass_over;
 use crate::rig_tags::{read_mat, read_rim};
 use shape::{Reference, Rig, SeenEnds};
+use stage::{Message, message};
 use toml::{Table, Value};
+
+stage::messages! {
+    TWO_ENDS = "rig-two-ends": "`reference.kind` is \"points\", whose two ends must be seen in two photos at least: `reference.seen = {example}`, or --seen";
+    POINTS_ONLY = "rig-points-only": "`reference.seen`, or --seen, is where the two ends of a length are seen, and goes with `reference.kind` \"points\" only: give --reference points=297mm, or leave it out";
+    ENDS = "rig-ends": "photos with the two ends in each, {example}";
+    PIXEL = "rig-pixel": "a pixel, [x, y]";
+}
 
 /// A `capture.toml` in our units, and what else it has.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -22,7 +30,7 @@ pub struct RigFile {
     /// Which files are the turn: names or patterns, relative to the folder; empty where none are given.
     pub images: Vec<String>,
     /// Keys that nobody reads.
-    pub unknown: Vec<String>,
+    pub unknown: Vec<Message>,
 }
 
 /// Reads a `capture.toml`, and what is given beside it, which wins.
@@ -32,7 +40,7 @@ pub struct RigFile {
 /// Text that is no TOML, a value of the wrong type or beyond its range, tables that contradict each other.
 pub fn read_rig(text: &str, facts: &Facts) -> Result<RigFile, RigError> {
     let table = text.parse();
-    let table: Table = table.map_err(|e: toml::de::Error| RigError::wrong(e))?;
+    let table: Table = table.map_err(|e: toml::de::Error| RigError::wrong(e.to_string()))?;
     let read = read_table(facts.over(table));
     read.map_err(|error| RigError {
         beside: !facts.0.is_empty(),
@@ -82,18 +90,14 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     if let Some(mut reference) = root.inner("reference")? {
         let kind = reference.text("kind")?.unwrap_or_default();
         let length = reference.number("length_mm", 0.1, 100_000.0)?;
-        let length_mm =
-            length.ok_or_else(|| RigError::missing("`reference` has no `length_mm`"))?;
+        let length_mm = length.ok_or_else(|| reference.lacks("length_mm"))?;
         let seen = read_seen(&mut reference)?;
         if kind == POINTS && seen.len() < 2 {
-            return Err(RigError::missing(
-                "`reference.kind` is \"points\", whose two ends must be seen in two photos at least: `reference.seen = { \"IMG_1.jpg\" = [x1, y1, x2, y2], … }`, or --seen",
-            ));
+            let ends = message!(TWO_ENDS, example = SEEN);
+            return Err(RigError::missing(ends));
         }
         if kind != POINTS && !seen.is_empty() {
-            return Err(RigError::missing(
-                "`reference.seen`, or --seen, is where the two ends of a length are seen, and goes with `reference.kind` \"points\" only: give --reference points=297mm, or leave it out",
-            ));
+            return Err(RigError::missing(message!(POINTS_ONLY)));
         }
         rig.reference = Some(Reference {
             kind,
@@ -109,6 +113,9 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
 /// The kind of a reference length between two points that are seen in photos.
 const POINTS: &str = "points";
 
+/// How its ends are given.
+const SEEN: &str = r#"{ "IMG_1.jpg" = [x1, y1, x2, y2], … }"#;
+
 /// By photo the two ends of a length, `[x1, y1, x2, y2]`.
 fn read_seen(keys: &mut Keys<'_>) -> Result<Vec<SeenEnds>, RigError> {
     let Some(value) = keys.take("seen") else {
@@ -123,7 +130,7 @@ fn read_seen(keys: &mut Keys<'_>) -> Result<Vec<SeenEnds>, RigError> {
     let all = value
         .as_table()
         .and_then(|t| t.iter().map(ends).collect::<Option<Vec<_>>>());
-    let wants = "photos with the two ends in each, { \"IMG_1.jpg\" = [x1, y1, x2, y2], … }";
+    let wants = message!(ENDS, example = SEEN);
     all.ok_or_else(|| keys.wrong("seen", wants, &value))
 }
 
@@ -134,7 +141,7 @@ fn read_pixel(keys: &mut Keys<'_>, key: &'static str) -> Result<Option<[f64; 2]>
     };
     match numbers(&value) {
         Some(pixel) => Ok(Some(pixel)),
-        None => Err(keys.wrong(key, "a pixel, [x, y]", &value)),
+        None => Err(keys.wrong(key, message!(PIXEL), &value)),
     }
 }
 

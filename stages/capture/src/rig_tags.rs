@@ -8,29 +8,27 @@ use toml::Value;
 stage::messages! {
     WIDE_MAT = "warn-wide-mat": "capture.toml: the tags of `[mat]` reach {reach:.0 mm} from the disk's middle, but the disk ends at {disk:.0 mm}: measure a printed tag, the ring and the disk, and correct what is wrong";
     WIDE_RIM = "warn-wide-rim": "capture.toml: the strip of `[rim]` has a radius of {rim:.0 mm}, the disk one of {disk:.0 mm}: measure the disk, and correct what is wrong";
+    FAMILY = "rig-family": "tag36h11, the only family that is known";
+    IDS = "rig-ids": "[first, last], the last at most 586";
+    IDS_OF = "rig-ids-of": "[first, last] of {count} ids";
+    RIM_ALONE = "rig-rim-alone": "`rim` has tags on the disk's rim, but there is no `mat`: these tags serve beside a mat on the disk only";
+    AMONG = "rig-among": "tags {first} to {last} of `rim` are among those of `mat`: give `ids` of their own";
+    NO_RADIUS = "rig-no-radius": "`rim` has no `radius_mm`, nor has `disk` a diameter";
 }
 
 /// A number that must be there.
 fn need(keys: &mut Keys<'_>, key: &'static str) -> Result<f64, RigError> {
-    let name = keys.name();
-    let number = keys.known(key)?;
-    number.ok_or_else(|| RigError::missing(format!("`{name}` has no `{key}`")))
+    keys.known(key)?.ok_or_else(|| keys.lacks(key))
 }
 
 /// Family, first id and how many.
 fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
-    let family = keys.text("family")?.unwrap_or_else(|| "tag36h11".into());
-    if family != "tag36h11" {
-        return Err(RigError::wrong(format!(
-            "`{}.family` is {family:?}; only tag36h11 is known",
-            keys.name()
-        )));
+    if let Some(family) = keys.text("family")?.filter(|family| family != "tag36h11") {
+        return Err(keys.wrong("family", message!(FAMILY), &family.into()));
     }
     let given = keys.number("count", 1.0, 587.0)?.map(|count| count as u32);
     let Some(ids) = keys.take("ids") else {
-        let name = keys.name();
-        let count = given.ok_or_else(|| RigError::missing(format!("`{name}` has no `count`")))?;
-        return Ok((0, count));
+        return Ok((0, given.ok_or_else(|| keys.lacks("count"))?));
     };
     let list: Vec<i64> = ids
         .as_array()
@@ -42,13 +40,11 @@ fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
         [first, last] if (0..=*last).contains(first) && *last <= 586 => {
             let count = (last - first + 1) as u32;
             match given.filter(|given| *given != count) {
-                Some(given) => {
-                    Err(keys.wrong("ids", &format!("[first, last] of {given} ids"), &ids))
-                }
+                Some(given) => Err(keys.wrong("ids", message!(IDS_OF, count = given), &ids)),
                 None => Ok((*first as u32, count)),
             }
         }
-        _ => Err(keys.wrong("ids", "[first, last], the last at most 586", &ids)),
+        _ => Err(keys.wrong("ids", message!(IDS), &ids)),
     }
 }
 
@@ -73,21 +69,21 @@ pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<(Option<Mat>, Option<f64>)
 /// `[rim]`: its tags have numbers of their own, and belong to a disk with a mat.
 pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> {
     let Some(mat) = rig.mat.as_ref() else {
-        return Err(RigError::missing(
-            "`rim` has tags on the disk's rim, but there is no `mat`: these tags serve beside a mat on the disk only",
-        ));
+        return Err(RigError::missing(message!(RIM_ALONE)));
     };
     let (first_id, count) = read_ids(keys)?;
     if first_id < mat.first_id + mat.count && mat.first_id < first_id + count {
-        return Err(RigError::wrong(format!(
-            "tags {first_id} to {} of `rim` are among those of `mat`: give `ids` of their own",
-            first_id + count - 1
+        let last = first_id + count - 1;
+        return Err(RigError::wrong(message!(
+            AMONG,
+            first = first_id,
+            last = last
         )));
     }
     let radius = keys.known("radius_mm")?;
     let radius_mm = radius
         .or(rig.disk_diameter_mm.map(|d| d / 2.0))
-        .ok_or_else(|| RigError::missing("`rim` has no `radius_mm`, nor has `disk` a diameter"))?;
+        .ok_or_else(|| RigError::missing(message!(NO_RADIUS)))?;
     Ok(Rim {
         tag_mm: need(keys, "tag_size_mm")?,
         first_id,
@@ -194,6 +190,6 @@ mod tests {
         let (_, bytes) = files.iter().find(|f| f.0 == "capture.toml").unwrap();
         let back = read(std::str::from_utf8(bytes).unwrap()).unwrap();
         assert_eq!(back.rig, rig);
-        assert_eq!(back.unknown, Vec::<String>::new());
+        assert!(back.unknown.is_empty());
     }
 }
