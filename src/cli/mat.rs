@@ -1,11 +1,12 @@
 //! `tailor mat`: a marker mat for a disk, to be printed.
 
 use super::init::not_written;
+use super::spoken::Spoken;
 use crate::catalog;
 use clap::Args;
 use command::{Fault, GlobalArgs};
 use shape::Document;
-use stage::{Ctx, Host, Metric, Value, message};
+use stage::{Ctx, Host, Message, Metric, Value, message};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -91,13 +92,15 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
             serde_json::json!({ "file": shown, "bytes": document.bytes.len(), "facts": toml });
         command::outln!("{answer}");
     } else if !global.quiet {
-        let text = |m: &Metric| format!("{} {} {}", m.name, m.value, m.unit);
-        let lines: Vec<String> = metrics.iter().map(|m| text(m).trim().to_owned()).collect();
+        let words = Spoken::default().words();
+        let text = |m: &Metric| {
+            let name = words.text(&format!("mat-{}", m.name.replace(' ', "-")));
+            format!("{name} {} {}", m.value, m.unit).trim().to_owned()
+        };
+        let lines: Vec<String> = metrics.iter().map(text).collect();
         command::outln!("{shown}: {}", lines.join(", "));
-        command::outln!("print at 100 % and check that the ruler is 100 mm long");
-        command::outln!(
-            "the lines for capture.toml are at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"
-        );
+        let put = [("facts", toml.into()), ("print", shown.into())];
+        command::outln!("{}", words.with("mat-next", &put));
     }
     Ok(())
 }
@@ -144,7 +147,10 @@ fn laid_out(args: &MatArgs, ending: String) -> Result<(Arc<Document>, Vec<Metric
     let nothing = stage::hash(b"");
     let made = stage.run(&params, vec![], &Ctx::new(&heard, nothing, nothing));
     let made = made.map_err(|stop| match stop {
-        stage::Stop::Failed(why) => Fault::input(why),
+        stage::Stop::Failed(why) => match why.downcast::<Message>() {
+            Ok(why) => Fault::coded(&why),
+            Err(why) => Fault::input(why),
+        },
         stage::Stop::Cancelled => Fault::stage("cancelled"),
     })?;
     let document = made.artifact.downcast::<Document>();

@@ -296,6 +296,13 @@ screen-files = alle Dateien: { $path }
 screen-report = Bericht:      { $path }
 
 # `tailor doctor`
+mat-next = zu 100 % drucken und prüfen, dass das Lineal 100 mm lang ist
+    die Zeilen für capture.toml stehen am Fuß jeder Seite und in { $facts }; oder: tailor measure ORDNER --mat { $print }
+mat-tags = Marken
+mat-tag-size = Größe einer Marke
+mat-tags-on-the-rim = Marken am Rand
+mat-their-size = deren Größe
+mat-ring-radius = Radius des Rings
 doctor-photos = { $count ->
     [one] ein Foto mit { $size } Pixeln
    *[other] { $count } Fotos mit { $size } Pixeln
@@ -381,7 +388,11 @@ fail-hull-nothing = kein Punkt des Raums ist auf { $share } der Fotos Körper: G
 fail-look-gone = was zu sehen war, ist nicht mehr im Zwischenspeicher: noch einmal ansehen
 fail-loose = Merkmale liegen { $rms } neben ihrem Platz (bis { $most } ist zu trauen), also ist den Kameras nicht zu trauen: zu wenig Struktur, eine Person, die sich bewegt hat, Fotos nicht in der Reihenfolge der Drehung, oder eine Kamera, die herumging (dann das angeben); ein gemustertes Tuch oder eine gedruckte Markenmatte auf die Scheibe legen
 fail-mask-empty = der Umriss von { $name } ist { $what }: ihn berichtigen oder entfernen
+fail-mat-beyond = die Familie 36h11 hat die Marken 0 bis 586: { $id } gibt es nicht
+fail-mat-crowded = { $count } Marken von { $tag_mm } mm passen nicht auf eine Scheibe von { $disk_mm } mm: höchstens { $most }; weniger oder kleinere nehmen
 fail-mat-misfit = die Matte passt nicht zu dem, was angegeben ist: Ihre Marken liegen { $rms } neben ihrem Platz; eine gedruckte Marke noch einmal messen
+fail-mat-rim = { $count } Marken gehen nicht um den Rand: mindestens 3 und höchstens { $most }
+fail-mat-thin = Marken von { $tag_mm } mm passen nicht auf einen Rand von { $thick_mm } mm: um jede muss ein Achtel ihrer Größe weiß sein, mindestens 5 mm, und keine darf größer als ein Drittel des Radius der Scheibe sein
 fail-mat-unseen = nur { $seen } von { $of } Fotos zeigen zwei Marken der Matte: das Licht auf der Scheibe, den Bildausschnitt und die Größe einer Marke prüfen
 fail-mixed-sizes = die Fotos sind verschieden groß, aber eine einzige Kamera muss die ganze Drehung aufnehmen, ohne Zuschnitt: { $most } sind { $size }, { $odd }; weglassen, was nicht zur Drehung gehört
 fail-no-beginning = keine zwei Fotos haben für den Anfang genug gemeinsam: in kleineren Schritten fotografieren, mit mehr Struktur oder mit einer gedruckten Markenmatte auf der Scheibe

@@ -296,6 +296,13 @@ screen-files = all files: { $path }
 screen-report = report:    { $path }
 
 # `tailor doctor`
+mat-next = print at 100 % and check that the ruler is 100 mm long
+    the lines for capture.toml are at each page's foot and in { $facts }; or: tailor measure DIR --mat { $print }
+mat-tags = tags
+mat-tag-size = tag size
+mat-tags-on-the-rim = tags on the rim
+mat-their-size = their size
+mat-ring-radius = ring radius
 doctor-photos = { $count ->
     [one] 1 photo of { $size } pixels
    *[other] { $count } photos of { $size } pixels

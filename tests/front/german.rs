@@ -156,6 +156,10 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
         "init turn/0000.jpg",
         "init mine",
         "mat --diameter-mm 600 -o mat.png",
+        "mat --diameter-mm 300 --tag-mm 100 --count 16 -o mat.svg",
+        "mat --diameter-mm 600 --first-id 580 -o mat.svg",
+        "mat --diameter-mm 600 --rim-mm 30 --rim-tag-mm 29 -o mat.svg",
+        "mat --diameter-mm 600 --rim-mm 30 --rim-count 200 -o mat.svg",
     ];
     let verbs = verbs.map(|line| (line.to_owned(), "LANG"));
     for (line, german) in looked.chain(measured.map(out)).chain(known).chain(verbs) {

@@ -115,6 +115,7 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     tags::find::MESSAGES,
     walk::stage::MESSAGES,
     CalibrateError::MESSAGES,
+    LayoutError::MESSAGES,
     MatError::MESSAGES,
     TracksError::MESSAGES,
     WalkError::MESSAGES,
@@ -124,6 +125,7 @@ pub const MESSAGES: &[&[stage::Template]] = &[
 /// The errors that have codes.
 const CODED: &[stage::Recognise] = &[
     stage::recognise::<CalibrateError>,
+    stage::recognise::<LayoutError>,
     stage::recognise::<frame::stage::FrameError>,
     stage::recognise::<WalkError>,
     stage::recognise::<shape::PhotoError>,

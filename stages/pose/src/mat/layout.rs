@@ -20,44 +20,37 @@ pub enum Mark {
     Words([f64; 2], f64, String),
 }
 
-/// A mat that cannot be laid out.
-#[derive(Debug, thiserror::Error, PartialEq)]
-pub enum LayoutError {
-    /// Tags do not fit.
-    #[error(
-        "{count} tags of {tag_mm} mm do not fit on a disk of {disk_mm} mm: at most {most} do; take fewer or smaller ones"
-    )]
-    Crowded {
-        /// How many.
-        count: u32,
-        /// How large. \[mm\]
-        tag_mm: f64,
-        /// On what. \[mm\]
-        disk_mm: f64,
-        /// How many would fit.
-        most: u32,
-    },
-    /// Tags are too tall for the rim, or too small to be seen.
-    #[error(
-        "tags of {tag_mm} mm do not fit on a rim of {thick_mm} mm: they need a white margin of an eighth of their size all around, at least 5 mm, and may span a third of the disk's radius at most"
-    )]
-    Thin {
-        /// How large. \[mm\]
-        tag_mm: f64,
-        /// On what. \[mm\]
-        thick_mm: f64,
-    },
-    /// Tags do not go around the rim.
-    #[error("{count} tags do not go around the rim: at least 3 and at most {most} do")]
-    CrowdedRim {
-        /// How many.
-        count: u32,
-        /// How many would.
-        most: u32,
-    },
-    /// The family ends.
-    #[error("the family 36h11 has tags 0 to 586: {0} is beyond")]
-    Beyond(u32),
+stage::failures! {
+    /// A mat that cannot be laid out.
+    pub enum LayoutError {
+        /// Tags do not fit.
+        Crowded {
+            /// How many.
+            count: u32,
+            /// How large. \[mm\]
+            tag_mm: f64,
+            /// On what. \[mm\]
+            disk_mm: f64,
+            /// How many would fit.
+            most: u32,
+        } = "fail-mat-crowded": "{count} tags of {tag_mm} mm do not fit on a disk of {disk_mm} mm: at most {most} do; take fewer or smaller ones",
+        /// Tags are too tall for the rim, or too small to be seen.
+        Thin {
+            /// How large. \[mm\]
+            tag_mm: f64,
+            /// On what. \[mm\]
+            thick_mm: f64,
+        } = "fail-mat-thin": "tags of {tag_mm} mm do not fit on a rim of {thick_mm} mm: they need a white margin of an eighth of their size all around, at least 5 mm, and may span a third of the disk's radius at most",
+        /// Tags do not go around the rim.
+        CrowdedRim {
+            /// How many.
+            count: u32,
+            /// How many would.
+            most: u32,
+        } = "fail-mat-rim": "{count} tags do not go around the rim: at least 3 and at most {most} do",
+        /// The family ends.
+        Beyond(id: u32) = "fail-mat-beyond": "the family 36h11 has tags 0 to 586: {id} is beyond",
+    }
 }
 
 /// The mat for a disk: tags as large as leaves a dozen or more on a ring near the disk's edge. A
