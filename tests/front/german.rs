@@ -93,33 +93,35 @@ const MISTAKES: [&str; 18] = [
     "subject = { born = \"2016-05-01\", age_years = 9 }",
 ];
 
+/// Values that are none.
+const FLAGS: [&str; 21] = [
+    "--stature tall",
+    "--stature 1.76",
+    "--weight heavy",
+    "--weight 560",
+    "--age old",
+    "--age 200",
+    "--views some",
+    "--focal wide",
+    "--steps 0",
+    "--mat-ids 5",
+    "--rim-ids 9-3",
+    "--centre-px 5",
+    "--reference 5",
+    "--reference tag_size=wide",
+    "--seen here",
+    "--seen a=1,2,3,4 --seen a=1,2,3,4",
+    "--fact here",
+    "--images ../*.jpg",
+    "--video",
+    "--mat none.pdf",
+    "--mat mat.txt",
+];
+
 #[test]
 fn no_error_that_who_measures_meets_is_the_same_in_german() {
     let place = folders();
-    let words = |flags: &'static [&'static str]| flags.iter().map(|flag| format!("turn {flag}"));
-    let given = words(&[
-        "--stature tall",
-        "--stature 1.76",
-        "--weight heavy",
-        "--weight 560",
-        "--age old",
-        "--age 200",
-        "--views some",
-        "--focal wide",
-        "--steps 0",
-        "--mat-ids 5",
-        "--rim-ids 9-3",
-        "--centre-px 5",
-        "--reference 5",
-        "--reference tag_size=wide",
-        "--seen here",
-        "--seen a=1,2,3,4 --seen a=1,2,3,4",
-        "--fact here",
-        "--images ../*.jpg",
-        "--video",
-        "--mat none.pdf",
-        "--mat mat.txt",
-    ]);
+    let given = FLAGS.map(|flag| format!("turn {flag}"));
     let folders = [
         "nowhere",
         "text.txt",
@@ -130,7 +132,7 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
         "bare",
     ]
     .map(str::to_owned);
-    let looked = given.chain(folders).flat_map(|words| {
+    let looked = given.into_iter().chain(folders).flat_map(|words| {
         let verbs = ["measure", "doctor"];
         verbs.map(|verb| (format!("{verb} {words}"), "--lang de"))
     });

@@ -9,7 +9,7 @@ const STILL: f32 = 9.0;
 /// A row or column at the border is reached where so much of it moves.
 const REACHED: f64 = 0.04;
 
-/// Light is about this power of what files hold (sRGB).
+/// Light is about this power of what files hold (sRGB) (IEC 61966-2-1 of 1999).
 const GAMMA: f64 = 2.2;
 /// Fewer pixels that do not move give no exposure.
 const FIRM: usize = 60;

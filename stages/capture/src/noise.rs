@@ -12,14 +12,14 @@ stage::messages! {
     LESS_NOISE = "find-noise-mend": "masks may lose parts where clothes have the background's colour: take them in more light, at a lower ISO, or in clothes that differ more from the background";
 }
 
-/// Pictures are looked at in squares of so many pixels across. \[px\]
+/// Pictures are looked at in squares of so many pixels across (structural: samples). \[px\]
 const SQUARE: usize = 16;
 /// Squares with a pixel at or beyond these hold less noise than there was. \[levels\]
 const CLIPPED: (u8, u8) = (2, 253);
 /// The noise is that of the square at this share of all, from the quietest on: the subject and its shadow cover less than the
 /// rest of them.
 const QUIET: f64 = 0.4;
-/// So many photos, evenly over the turn, are looked at.
+/// So many photos, evenly over the turn, are looked at (structural: samples).
 const LOOKED_AT: usize = 6;
 /// Photos are noisy from here on (by hand). \[levels\] On the sample with noise added, girths of version 0.2.0 were right
 /// up to 3.1 levels; at 4.2 masks lost strips of a white shirt before a grey wall and waists were up to 3.9 % too small.

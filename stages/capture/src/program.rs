@@ -194,6 +194,7 @@ fn listen<T, E>(
 
 /// Sends each line; one that never ends is cut.
 fn lines<T>(from: impl Read, to: &SyncSender<Event<T>>) {
+    /// Longest text (structural: what is shown of a program's own words).
     const LONGEST: u64 = 4096;
     let mut from = BufReader::new(from);
     loop {

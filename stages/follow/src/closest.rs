@@ -31,6 +31,7 @@ pub struct Hit {
     pub face: usize,
 }
 
+/// Points of a leaf (structural: the tree's form).
 const LEAF: usize = 4;
 
 impl<'a> Closest<'a> {

@@ -6,7 +6,7 @@ use nalgebra::Isometry3;
 use rayon::prelude::*;
 use shape::{Adjacency, Mesh};
 
-/// Points of a segment.
+/// Points of a segment (structural: samples).
 const MOST: usize = 1500;
 /// Scales of weights for the trunk, and for limbs, which may be far off. \[mm\]
 const TRUNK: [f64; 4] = [12.0, 6.0, 4.0, 3.0];

@@ -43,14 +43,16 @@ pub struct Target<'a> {
     tree: Closest<'a>,
 }
 
-/// Yaws from which a search begins.
+/// Yaws from which a search begins (structural: the width of a search).
 const STARTS: u32 = 24;
-/// Points of a first look, and of a fit.
+/// Points of a first look, and of a fit (structural: samples).
 const FEW: usize = 400;
+/// Points of the last fit (structural: samples).
 const MOST: usize = 3000;
 /// Scales of weights, from coarse to fine, each for some rounds. \[mm\]
 const LOOK: [f64; 4] = [80.0, 60.0, 40.0, 30.0];
 const WHOLE: [f64; 6] = [40.0, 20.0, 10.0, 6.0, 4.0, 3.0];
+/// Rounds of a scale (structural: a search's end).
 const ROUNDS: usize = 5;
 /// Least cosine between normals of points that may belong together.
 const ALIKE: f64 = 0.3;

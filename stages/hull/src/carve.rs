@@ -253,7 +253,7 @@ fn framed(mask: &Mask) -> f64 {
     body.count() as f64 / (2 * (w + h)) as f64
 }
 
-/// Surface of a box of 1.0 × 1.8 × 2.0 m. \[mm²\]
+/// Surface of a box of 1.0 × 1.8 × 2.0 m (structural: what the memory is planned by). \[mm²\]
 const BODY_BOX_MM2: f64 = 2.0 * (1.0 * 1.8 + 1.8 * 2.0 + 1.0 * 2.0) * 1e6;
 
 /// What carving takes, from the area of the box around the solid. \[MB\]

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use shape::{MIN_DISSENT_PHOTOS, Silhouette, deep_dissent};
 
 /// So many cells are along the longest edge of the box in which the body is: 15 mm of an adult, some 200 000 cells, 0.1 s.
+/// It is structural: how finely space is sampled.
 const CELLS: f64 = 120.0;
 /// A mask is contradicted from this share of it on. \[%\] Good masks of 18 photos (true ones of man, woman, mannequin
 /// and blue background; found ones of man, woman and mannequin): no photo has more than 0.0 %; three photos beside each other

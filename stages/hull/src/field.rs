@@ -71,7 +71,7 @@ fn filled(
     place: [usize; 3],
     value: &(impl Fn(&Point3<f64>) -> f32 + Sync),
 ) -> Vec<f32> {
-    // The brick's own blocks, and those around it.
+    // The brick's own blocks, and those around it (structural: a brick's own blocks and the next ones).
     const AROUND: usize = BRICK / BLOCK + 2;
     let base = place.map(|b| b * BRICK);
     let half = lattice.cell_mm * BLOCK as f64 / 2.0;

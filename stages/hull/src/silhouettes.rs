@@ -44,7 +44,7 @@ fn far_outside(views: &[Silhouette], x: &Point3<f64>, dissent: usize, margin: f3
     false
 }
 
-/// Steps across the cylinder in which the body is looked for.
+/// Steps across the cylinder in which the body is looked for (structural: samples).
 const STEPS: i32 = 96;
 
 /// A box around all of space that is body, found on a coarse lattice within a cylinder around the

@@ -78,6 +78,7 @@ pub fn cameras_to_colmap_text(cameras: &Cameras) -> Vec<(String, Vec<u8>)> {
 
 /// A COLMAP binary model: `cameras.bin`, `images.bin`, `points3D.bin`, with the lens `OPENCV`.
 pub fn cameras_to_colmap_binary(cameras: &Cameras) -> Vec<(String, Vec<u8>)> {
+    /// Its kind of lens (structural: COLMAP's number of the model).
     const OPENCV: u32 = 4;
     let count = (cameras.views.len() as u64).to_le_bytes();
     let (mut lenses, mut images) = (count.to_vec(), count.to_vec());

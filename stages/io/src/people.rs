@@ -31,9 +31,11 @@ const BONES: [[usize; 2]; 21] = [
 ];
 /// The one who is followed, and anybody else (structural: colours). \[sRGB\]
 const FOLLOWED: [u8; 3] = [80, 230, 60];
+/// Another person (structural: a colour of the drawing).
 const ANOTHER: [u8; 3] = [255, 150, 40];
 /// The left side's bones, and the right side's (structural: colours). \[sRGB\]
 const LEFT: [u8; 3] = [90, 200, 255];
+/// The right one (structural: a colour of the drawing).
 const RIGHT: [u8; 3] = [255, 210, 60];
 
 /// Everybody by photo, first who is followed: scores, places and joints; masks are left to the pictures.

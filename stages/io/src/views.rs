@@ -10,6 +10,7 @@ const TALL: usize = 900;
 const MARGIN: usize = 24;
 /// What is behind the surface, and the surface seen head on (structural: colours). \[sRGB\]
 const BACK: [u8; 3] = [236, 236, 238];
+/// The surface (structural: a colour of the drawing).
 const SKIN: [f64; 3] = [214.0, 190.0, 168.0];
 
 /// The surface without perspective, from where the angle of the world is 270°, 0°, 90°, 180° (the first

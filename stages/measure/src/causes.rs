@@ -25,7 +25,7 @@ const KEPT: f64 = 0.7;
 const DENSITY: f64 = 1.0;
 /// Share of a body's volume that density, clothes and scales do not explain (by hand).
 const LACKS: f64 = 0.25;
-/// So many photos are named at most.
+/// So many photos are named at most (structural: the message's length).
 const NAMED: usize = 5;
 
 /// What a cause is looked for in.

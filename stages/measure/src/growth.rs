@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 const TABLE: &str = include_str!("../../../models/tables/who2007.csv");
 
-/// Ages that the reference is of. \[months\]
+/// Ages that the reference is of (of the table, models/tables/who2007.csv). \[months\]
 const AGES: std::ops::RangeInclusive<f64> = 61.0..=228.0;
 
 /// The distribution of a number at an age: Box–Cox power, median, coefficient of variation.

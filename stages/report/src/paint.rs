@@ -8,6 +8,7 @@ const DEPTH_PX: u32 = 800;
 /// Views flatter than this (cosine) show nothing.
 const FLATTEST: f64 = 0.2;
 /// How much straighter views count more: high, for means of many views are blurred.
+/// It is structural: how views are mixed in a picture.
 const SHARPNESS: i32 = 8;
 /// What no photo shows (structural: a colour).
 const UNSEEN: [f64; 3] = [204.0, 189.0, 173.0];

@@ -15,6 +15,7 @@ const TICKS: usize = 7;
 
 /// Width of the column that holds names of girths, and height of a line of it (structural: layout).
 const NAMES: f64 = 186.0;
+/// Height of a line (structural: the drawing's layout).
 const LINE: f64 = 16.0;
 
 /// An SVG of the curve; each horizontal girth is a dot on it, led to its name beside the drawing. Empty without a curve. Where the girth

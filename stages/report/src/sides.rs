@@ -11,6 +11,7 @@ use std::fmt::Write;
 
 /// Height of the pictures, and free space around the body (structural: layout). \[px\]
 const TALL: usize = 760;
+/// White around the pictures (structural: the drawing's layout).
 const MARGIN: usize = 20;
 /// Width of the column that holds the names of tapes (structural: layout). \[px\]
 const NAMES: f64 = 190.0;
@@ -18,6 +19,7 @@ const NAMES: f64 = 190.0;
 const LINE: f64 = 19.0;
 /// What is behind the surface, and the surface seen head on (structural: colours). \[sRGB\]
 const BACK: [u8; 3] = [250, 250, 250];
+/// The surface (structural: a colour of the drawing).
 const SKIN: [f64; 3] = [206.0, 192.0, 180.0];
 
 /// One side: where the eye is and what is to the right of the picture, both level.

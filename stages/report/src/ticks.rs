@@ -17,6 +17,7 @@ pub(crate) fn ticks(low: f64, high: f64, most: usize) -> (Vec<f64>, usize) {
 
 /// Powers of ten that steps may have (structural).
 const FINEST: i32 = -6;
+/// Largest power that is written out (structural: the axis's layout).
 const LARGEST: i32 = 9;
 
 /// A number times a power of ten, as near as there is one.

@@ -4,7 +4,7 @@ use crate::{Camera, Cameras, Mask, Masks, PhotoId, seen_by_half};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// About so many points of space are asked: a few thousand of them are in a body.
+/// About so many points of space are asked: a few thousand of them are in a body (structural: samples).
 const POINTS: f64 = 400_000.0;
 
 /// An outline that cuts away more than this share of what nearly all other photos show contradicts them (by hand: of whole turns,

@@ -51,6 +51,7 @@ fn body(cover: u8) -> bool {
 /// Squared distance of each pixel to the nearest one of the other side.
 fn squared(mask: &Mask) -> Vec<f32> {
     let (w, h) = (mask.width, mask.height);
+    /// Nothing is that far (structural: more than any distance in a picture).
     const FAR: f32 = 1e6;
     // Along columns, down and up, a row at a time.
     let mut field = vec![FAR; mask.data.len()];

@@ -7,11 +7,11 @@
 use crate::{Gray, Image, Placed};
 use nalgebra::{SMatrix, SVector};
 
-/// Longest side of the coarsest picture that is laid on another. \[px\]
+/// Longest side of the coarsest picture that is laid on another (structural: where a search begins). \[px\]
 const COARSEST: usize = 100;
-/// Steps at each size.
+/// Steps at each size (structural: a search's end).
 const STEPS: usize = 12;
-/// Steps below this are the last. \[px\]
+/// Steps below this are the last (structural: a search's end). \[px\]
 const SMALL: f64 = 0.002;
 /// Share of the pixels whose residuals give the noise: at least so many do not move.
 const QUIET: f64 = 0.4;

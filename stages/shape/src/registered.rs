@@ -4,7 +4,7 @@ use crate::register::{laid, or_unmoved, pyramid};
 use crate::{Gray, Placed};
 use rayon::prelude::*;
 
-/// Rounds in which all photos of a turn are laid on the median of all.
+/// Rounds in which all photos of a turn are laid on the median of all (structural: a search's end).
 const ROUNDS: usize = 2;
 
 /// How each photo of a turn is aligned to what does not move in any of them, and that: their median once all

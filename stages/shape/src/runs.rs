@@ -43,7 +43,7 @@ pub(crate) fn from_sides(runs: &[u8], count: usize) -> Result<Vec<bool>, Corrupt
     Ok(pixels(runs, count)?.into_iter().map(|s| s != 0).collect())
 }
 
-/// Fewer equal numbers in a row are stored one by one.
+/// Fewer equal numbers in a row are stored one by one (structural: below it nothing is saved).
 const MIN_REPEATS: usize = 4;
 
 /// Numbers that often repeat: how many are kept one by one and how often the next repeats, in turns; and those that

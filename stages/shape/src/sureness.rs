@@ -10,6 +10,10 @@ stage::messages! {
     FOLDS = "warn-folds": "the skin is {share:.0 %} longer than a tape, which points to a hole in the surface or to an arm that touches it: look at the section";
 }
 
+/// Standard deviations to either side of the middle that hold nine in ten of a normal distribution (derived: its 95th
+/// percentile).
+pub const NINE_IN_TEN: f64 = 1.645;
+
 /// What a girth's uncertainty is made of: standard deviations of the tape; `None` is unknown,
 /// 0 is "none". \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

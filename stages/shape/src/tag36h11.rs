@@ -57,6 +57,7 @@ pub fn modules(id: u32) -> Option<[[bool; 8]; 8]> {
     Some(white)
 }
 
+/// The family as its authors have it (Wang and Olson 2016).
 #[rustfmt::skip]
 const CODES: [u64; TAGS as usize] = [
     0xd7e00984b, 0xdda664ca7, 0xdc4a1c821, 0xe17b470e9, 0xef91d01b1, 0xf429cdd73,

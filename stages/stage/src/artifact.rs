@@ -18,8 +18,11 @@ pub use blake3::{Hash, hash};
 /// The format's name, whatever program writes it. A result is named by the hash of all its bytes, these
 /// eight with them: another number would give every result another name, and no cache would hit.
 const MAGIC: &[u8; 8] = b"TAILORAF";
+/// Version of the form (structural: the file's form).
 const CONTAINER: u32 = 1;
+/// Bytes before the content (structural: the file's form).
 const PREFIX: usize = 24;
+/// Where content begins (structural: the file's form).
 const ALIGN: usize = 64;
 
 /// A noun that flows from stage to stage.

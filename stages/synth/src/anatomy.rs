@@ -18,7 +18,7 @@ pub struct Build {
     pub exponent: f64,
 }
 
-/// The stature for which the numbers below are written. \[mm\]
+/// The stature for which the numbers below are written (structural: the unit of what follows). \[mm\]
 const STATURE: f64 = 1750.0;
 
 /// A body with its soles on z = 0, which faces -y and has its left at +x. Its planes: WC, HC, CC and NC,

@@ -8,7 +8,7 @@ use shape::{Plane, Solid};
 /// Directions in which a section is looked for: its length is then short by a ten-millionth.
 /// (structural: its error is given.)
 const DIRECTIONS: usize = 4096;
-/// How far apart the formula is asked before a border is closed in on. \[mm\]
+/// How far apart the formula is asked before a border is closed in on (structural: samples). \[mm\]
 const STRIDE: f64 = 1.5;
 
 /// The closed curve in which a plane cuts a solid around the plane's point: where straight lines

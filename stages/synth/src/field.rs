@@ -48,6 +48,7 @@ impl<'a> Field<'a> {
 
     /// The direction in which the value grows, by central differences.
     pub fn gradient(&self, p: &Point3<f64>) -> Vector3<f64> {
+        /// Step of differences (structural: samples).
         const STEP: f64 = 1e-3;
         Vector3::from_fn(|i, _| {
             let mut d = Vector3::zeros();

@@ -76,6 +76,7 @@ fn block_cells(field: &Field<'_>, grid: &Grid, block: usize) -> Vec<Cell> {
     if field.value(&middle).abs() > STEEP * half * 3f64.sqrt() {
         return cells;
     }
+    /// Corners along a block (structural: a block's corners).
     const SIDE: usize = BLOCK + 1;
     let at = |x: usize, y: usize, z: usize| (z * SIDE + y) * SIDE + x;
     let mut values = vec![0.0; SIDE * SIDE * SIDE];

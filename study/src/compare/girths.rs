@@ -5,11 +5,8 @@ use crate::girth_file::{ReadGirth, suffix};
 use crate::repeat::LEAST_CHANGE;
 use crate::score::iso_mm;
 use serde_json::{Map, Value, json};
-use shape::Unit;
+use shape::{NINE_IN_TEN, Unit};
 use std::collections::BTreeMap;
-
-/// Nine times in ten, in standard deviations: what intervals and `repeat` of a file are.
-const NINE_IN_TEN: f64 = 1.645;
 
 /// One girth of all sides, lengths in their unit.
 #[derive(Debug, Clone, PartialEq)]

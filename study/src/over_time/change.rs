@@ -7,10 +7,7 @@ use super::who::{Doubt, doubts};
 use crate::compare::TechnicalErrors;
 use crate::repeat::LEAST_CHANGE;
 use follow::{PARTS, Target, growth, labels_like, volumes};
-use shape::Refusal;
-
-/// Nine times in ten, in standard deviations.
-const NINE_IN_TEN: f64 = 1.645;
+use shape::{NINE_IN_TEN, Refusal};
 
 /// One girth on one day against the first. \[mm\]
 #[derive(Debug, Clone, PartialEq)]

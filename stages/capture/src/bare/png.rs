@@ -37,6 +37,7 @@ pub(super) fn bare(file: &[u8]) -> Option<Vec<u8>> {
 
 /// A PNG of ours with EXIF behind its header.
 pub(super) fn with_exif(file: &[u8], tiff: &[u8]) -> Vec<u8> {
+    /// How long they are (structural: signature and first chunk, ISO 15948 of 2004).
     const HEAD: usize = 8 + 25;
     [&file[..HEAD], &exif(tiff), &file[HEAD..]].concat()
 }

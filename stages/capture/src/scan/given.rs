@@ -2,7 +2,7 @@
 
 use shape::Mesh;
 
-/// More faces need gigabytes for what a tenth of them shows as well.
+/// More faces need gigabytes for what a tenth of them shows as well (structural: a limit of memory).
 pub(crate) const MOST_FACES: usize = 4_000_000;
 
 stage::choice! {

@@ -3,7 +3,7 @@
 use shape::Mesh;
 use std::collections::BTreeMap;
 
-/// A stature that most grown people are near. \[mm\]
+/// A stature that most grown people are near (the middle of men and women of ANSUR II). \[mm\]
 const USUAL_MM: f64 = 1700.0;
 /// Adults are no taller: the mean of 4 082 men and 3.5 standard deviations (ANSUR II, 1756 and 69 mm). \[mm\]
 const TALLEST_MM: f64 = 2000.0;
@@ -86,7 +86,7 @@ pub(crate) fn up(mesh: &Mesh) -> Option<(usize, bool)> {
     Some((axis, moment * volume < 0.0))
 }
 
-/// Bins along an axis in which a body is compared with its mirror image.
+/// Bins along an axis in which a body is compared with its mirror image (structural: samples).
 const BINS: usize = 40;
 
 /// How unlike its mirror image along an axis a surface is: the area that is on one side alone, as a share; about the middle

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read as _};
 use zip::ZipArchive;
 
-/// Bytes of models, unpacked: what four million faces take in long numbers.
+/// Bytes of models, unpacked: what four million faces take in long numbers (structural: a limit of memory).
 const MOST_BYTES: u64 = 1 << 30;
 
 /// A matrix of twelve numbers, its fourth row the shift (core specification, 3.3).

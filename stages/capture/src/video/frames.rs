@@ -15,9 +15,9 @@ stage::messages! {
     DAMAGED = "warn-video-damaged": "{name} is damaged somewhere: {why}";
 }
 
-/// Frames are looked at on so many pixels on the longer side. \[px\]
+/// Frames are looked at on so many pixels on the longer side (structural: samples). \[px\]
 const LOOKED_AT: u32 = 960;
-/// More frames than these are no turn.
+/// More frames than these are no turn (structural: a limit of time, ten minutes of 60 frames a second).
 const MOST: usize = 40_000;
 /// Quality of the JPEG files that frames become: 46.6 dB from the frame, on a made turn.
 const QUALITY: u8 = 97;

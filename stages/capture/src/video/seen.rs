@@ -4,7 +4,7 @@ use crate::netpbm::Netpbm;
 
 /// Small pictures are about so many pixels on the longer side (structural: size of a small picture). \[px\]
 const ACROSS: usize = 96;
-/// Sharpness is taken by cells of so many small pixels on a side. \[px\]
+/// Sharpness is taken by cells of so many small pixels on a side (structural: samples). \[px\]
 const CELL: usize = 4;
 
 /// A frame at a glance.

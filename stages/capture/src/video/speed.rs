@@ -2,7 +2,7 @@
 
 /// A pixel moves whose brightness changes by more than this over the frames. \[levels\]
 const MOVES: f32 = 9.0;
-/// So many frames, spread over the video, show what moves.
+/// So many frames, spread over the video, show what moves (structural: samples).
 const SAMPLED: usize = 150;
 /// Where less changes than this share of the usual, nothing turns.
 const SLOW: f64 = 0.25;

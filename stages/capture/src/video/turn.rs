@@ -3,7 +3,7 @@
 use crate::video::closing::Likeness;
 use crate::video::speed::{Motion, stretch};
 
-/// So many frames, spread over what moves, are compared with each other.
+/// So many frames, spread over what moves, are compared with each other (structural: samples).
 const MOST_COMPARED: usize = 240;
 /// A disk turns evenly whose speed, as pictures change, differs by less than this share (standard
 /// deviation): a body that turns evenly changes by 0.13 to 0.24 more or less as it shows its sides.

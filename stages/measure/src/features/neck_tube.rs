@@ -29,10 +29,11 @@ pub(crate) struct Tube {
     pub(crate) ends: (f64, f64),
 }
 
-/// Leans that are tried: from, to, step. \[degrees\]
+/// Leans that are tried: from, to, step (structural: the grid of a search). \[degrees\]
 const LEANS: (i32, i32, usize) = (-20, 60, 10);
-/// Steps up and down that are tried; a step as a share of the diameter.
+/// Steps up and down that are tried; a step as a share of the diameter (structural: the grid of a search).
 const STEPS: i32 = 8;
+/// A step up or down (structural: the grid of a search).
 const STEP: f64 = 0.1;
 /// Planes whose tape is longer than the least by less than this share are the neck's tightest: their
 /// middle is taken, for the least itself jumps along a neck of even width.
@@ -203,7 +204,7 @@ fn ends(tube: &Tube) -> Option<(f64, f64)> {
     Some((end(1.0)?, end(-1.0)?))
 }
 
-/// Where between the ends the middles are looked at: from, step, how many; shares.
+/// Where between the ends the middles are looked at: from, step, how many; shares (structural: the grid of a search).
 const MIDDLES: (f64, f64, u32) = (0.1, 0.08, 11);
 
 /// How far the line of the sections' middles leans, between the tube's ends. \[rad\]

@@ -7,7 +7,7 @@ use super::body::Body;
 use super::marks::Marks;
 use super::whole::no_stature;
 
-/// Raise it whenever a reading may come out otherwise on the same surface: model files name it.
+/// Raise it whenever a reading may come out otherwise on the same surface: model files name it (structural: a version).
 pub const READINGS_VERSION: u32 = 1;
 
 /// One thing that is read off a surface. Heights are above the ground; all are shares of stature
@@ -101,7 +101,7 @@ impl Readings {
     }
 }
 
-/// The stature that [`Reading::LnStature`] is against. \[mm\]
+/// The stature that [`Reading::LnStature`] is against (structural: where the logarithm is zero). \[mm\]
 const USUAL_MM: f64 = 1700.0;
 /// A bust's apex counts from this sharpness on.
 const SHARP: f64 = 0.25;

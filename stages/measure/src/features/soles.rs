@@ -20,7 +20,7 @@ pub(crate) struct Soles {
 
 /// Legs are followed from here down.
 const KNEES: f64 = 0.3;
-/// From slice to slice.
+/// From slice to slice (structural: samples).
 const STEP: f64 = 0.002;
 /// Below this, two rings of a leg are heel and ball; above, two legs.
 const ANKLE: f64 = 0.06;

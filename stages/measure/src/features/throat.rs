@@ -20,8 +20,9 @@ pub(crate) struct NeckProfile {
     pub(crate) nape: f64,
 }
 
-/// Rows up and down; a row as a share of the diameter.
+/// Rows up and down; a row as a share of the diameter (structural: samples).
 const ROWS: usize = 75;
+/// A row, as a share of the diameter (structural: samples).
 const ROW: f64 = 0.02;
 /// At least so many rows are unbroken above and below.
 const LEAST: usize = 20;

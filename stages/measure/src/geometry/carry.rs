@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// Directions around the middle.
+/// Directions around the middle (structural: samples).
 pub const RAYS: usize = 360;
 
 /// How far a closed curve reaches from the origin in each of [`RAYS`] directions: the farthest

@@ -1,5 +1,7 @@
 //! Where stature and buttocks put the crotch, and what that means for a thigh whose upper end is closed on the surface.
 
+use shape::NINE_IN_TEN;
+
 /// Height of the crotch as a share of stature: a constant and a share of the buttocks' height. Fitted on the 6 068 people of
 /// `models/tables/ansur2.csv` (a test below).
 const CROTCH: [f64; 2] = [0.1713, 0.6104];
@@ -10,8 +12,6 @@ const SIGMA: f64 = 0.0104;
 /// `models/tables/thighs.csv` (a test below), thighs of made bodies: half of them had no web.
 const FULLEST: f64 = 0.2;
 
-/// Deviations on either side of the middle that hold nine in ten of a normal distribution.
-const NINE_IN_TEN: f64 = 1.645;
 /// Most that two tapes around a thigh may differ by: the allowable observer error of ANSUR II (Measurer's Handbook,
 /// NATICK/TR-11/017, appendix G).
 const ALLOWED_MM: f64 = 6.0;

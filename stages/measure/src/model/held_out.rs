@@ -7,6 +7,7 @@ use super::level::Level;
 use super::line_up::rounded;
 use super::predict::LevelEstimate;
 use super::samples::{Made, Person};
+use shape::NINE_IN_TEN;
 use std::fmt::Write;
 
 /// Errors of one level on what one fit left out.
@@ -95,9 +96,6 @@ pub(crate) fn summary(family: &str, level: &'static str, all: &[Miss]) -> HeldOu
         coverage: all.iter().filter(|m| m.inside).count() as f64 / n,
     }
 }
-
-/// Nine times in ten, in standard deviations.
-pub(crate) const NINE_IN_TEN: f64 = 1.645;
 
 fn miss(reported: &LevelEstimate, body: &Made, truth: f64) -> Miss {
     let mm = reported.height_mm - truth * body.stature;

@@ -1,7 +1,7 @@
 //! Fits laws on a table of made bodies, and says how they do on families left out.
 
 use super::fit_error::FitError;
-use super::held_out::{HeldOut, Miss, NINE_IN_TEN, quantile, summary, tenth};
+use super::held_out::{HeldOut, Miss, quantile, summary, tenth};
 use super::law::{Law, Place};
 use super::line_up::{LEAST, repeat, rounded};
 use super::normal::Normal;
@@ -9,6 +9,7 @@ use super::samples::fitted;
 use super::table::{Table, TableError};
 use super::tapes::Tapes;
 use nalgebra::DMatrix;
+use shape::NINE_IN_TEN;
 
 /// One body: features of a law and, where known, the true place.
 #[derive(Debug, Clone)]

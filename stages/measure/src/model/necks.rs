@@ -1,10 +1,11 @@
 //! Necks of made bodies, and how the neck's level does on those that no fit has seen.
 
-use super::held_out::{HeldOut, Miss, NINE_IN_TEN, summary};
+use super::held_out::{HeldOut, Miss, summary};
 use super::larynx::larynx;
 use super::law_fit::Fold;
 use super::table::{Table, TableError};
 use super::tapes::Tapes;
+use shape::NINE_IN_TEN;
 
 /// One row of `models/tables/neck.csv`; lengths are shares of the neck's diameter.
 #[derive(Debug, Clone)]
@@ -19,7 +20,7 @@ pub(crate) struct Neck {
     pub tapes: Tapes,
 }
 
-/// Where the tapes begin, and their step.
+/// Where the tapes begin, and their step (structural: samples).
 const TAPES: (f64, f64) = (-0.6, 0.05);
 
 /// All rows.

@@ -103,11 +103,11 @@ pub(crate) struct Made {
     pub tapes: Tapes,
 }
 
-/// Height of the first tape of a profile, as a share of stature.
+/// Height of the first tape of a profile, as a share of stature (structural: the model file's form).
 pub(crate) const LOWEST: f64 = 0.45;
-/// Step between two tapes of a profile, as a share of stature.
+/// Step between two tapes of a profile, as a share of stature (structural: the model file's form).
 pub(crate) const STEP: f64 = 0.005;
-/// How many tapes a profile has.
+/// How many tapes a profile has (structural: the model file's form).
 pub(crate) const TAPES: usize = 71;
 
 impl Made {

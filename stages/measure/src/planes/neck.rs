@@ -10,7 +10,7 @@ use shape::{Plane, Refusal};
 const LONGER: f64 = 0.12;
 /// How far beside the axis the middle of a section of the tube is at most, as a share of the diameter.
 const BESIDE: f64 = 0.2;
-/// Steps in which a plane slides towards the tightest section, as a share of the diameter.
+/// Steps in which a plane slides towards the tightest section, as a share of the diameter (structural: samples).
 const SLIDE: f64 = 0.01;
 
 /// A tube shorter than this, as a share of its diameter, is a groove, where a tape comes to rest at its tightest. At the

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 
 /// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
 const LOOSE: f64 = 0.03;
-/// Directions of support functions.
+/// Directions of support functions (structural: samples).
 const WAYS: usize = 180;
 /// Doubt of a girth whose inner half is given by another section, as a share of what is given.
 const DOUBT: f64 = 0.04;

@@ -17,6 +17,7 @@ use shape::{GirthId, Landmark, Mesh, Plane};
 const MOST_CUT: f64 = 0.22;
 /// How far down a leg a section is looked for that is its own, and the step, as shares of stature.
 const DOWN: f64 = 0.08;
+/// The step, as a share of stature (structural: samples).
 const STEP: f64 = 0.005;
 /// A ring that is so many times as long as the leg's own lower down is two legs'.
 const TWO: f64 = 1.3;

@@ -19,7 +19,7 @@ pub(crate) struct FreedArm {
     pub(crate) sigma_mm: f64,
 }
 
-/// Samples on the way around an arm of the given radius.
+/// Samples on the way around an arm of the given radius (structural: samples).
 const SAMPLES: f64 = 180.0;
 /// Standard deviation of a bridged tape, as a share of what the bridge adds to a tape straight from fold to fold, which is
 /// the least that a convex arm can have. Of ovals it is 0.22 (a test below); 0.3 of 22 arms of two scans and five other

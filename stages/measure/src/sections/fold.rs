@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// Samples to either side of one that tell the way there.
+/// Samples to either side of one that tell the way there (structural: samples).
 const REACH: usize = 5;
 /// An outline that has turned back by so much is the trunk's by then. \[rad\]
 const BACK: f64 = 25.0 * TAU / 360.0;

@@ -15,9 +15,9 @@ pub struct Parted {
     pub sigma_mm: f64,
 }
 
-/// Points that an outline is resampled to.
+/// Points that an outline is resampled to (structural: samples).
 pub(super) const SAMPLES: usize = 720;
-/// Samples to either side of one that tell the way of the outline there.
+/// Samples to either side of one that tell the way of the outline there (structural: samples).
 const REACH: usize = 5;
 /// The trunk has turned at least so far before an arm begins. \[rad\]
 const TURNED: f64 = 25.0 * TAU / 360.0;

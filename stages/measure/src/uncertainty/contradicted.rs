@@ -10,7 +10,7 @@ use shape::{
 };
 use std::collections::BTreeSet;
 
-/// So many cells are along the depth from which a photo contradicts all others.
+/// So many cells are along the depth from which a photo contradicts all others (structural: samples).
 const CELLS_A_DEPTH: f64 = 6.0;
 /// A section is searched around to this many times its size: more that is missing leaves no girth to speak of.
 const SEARCHED_SIZES: f64 = 2.0;

@@ -4,10 +4,7 @@ use crate::features::body::Body;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::taken::taken;
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
-use shape::{GirthId, Landmark, Mesh, Part, Plane, PlaneRule};
-
-/// Nine times in ten, in standard deviations.
-pub(crate) const NINE_IN_TEN: f64 = 1.645;
+use shape::{GirthId, Landmark, Mesh, NINE_IN_TEN, Part, Plane, PlaneRule};
 
 /// How much a tape changes by where it is taken. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -2,10 +2,10 @@
 
 use crate::geometry::spline::has_left;
 use crate::sections::one::SectionMeasurement;
-use crate::uncertainty::interval::{Level, NINE_IN_TEN, interval, together, too_wide};
+use crate::uncertainty::interval::{Level, interval, together, too_wide};
 use crate::uncertainty::outlines::{Borders, shared_border, surface_by_cameras};
 use nalgebra::Point3;
-use shape::{Cameras, Girth, GirthId, Landmark, Note, Refusal, Sigmas, Split};
+use shape::{Cameras, Girth, GirthId, Landmark, NINE_IN_TEN, Note, Refusal, Sigmas, Split};
 use std::f64::consts::TAU;
 
 /// From this share of a tape on it is told that no outline confirms it.

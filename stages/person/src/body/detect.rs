@@ -11,7 +11,7 @@ const LEAST_SCORE: f32 = 0.5;
 const ONE_PERSON: f32 = 0.3;
 /// Scores' logits stay within this (MediaPipe).
 const LOGIT: f32 = 100.0;
-/// Numbers of a box: middle, size, four points.
+/// Numbers of a box: middle, size, four points (structural: the network's form).
 const NUMBERS: usize = 12;
 
 /// Somebody's head, and the square around the body.

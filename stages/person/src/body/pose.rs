@@ -6,10 +6,12 @@ use super::sample::sampled_without;
 use crate::net::{Network, Tensor};
 use shape::{Crop, Found, Image, Joint, Rgb};
 
-/// Numbers of a point: x, y, depth, visibility, presence.
+/// Numbers of a point: x, y, depth, visibility, presence (structural: the network's form).
 const NUMBERS: usize = 5;
 /// The points from which the square is laid: the middle of the hips, and one on the circle around the body.
+/// It is structural: the network's form.
 const HIPS: usize = 33;
+/// The point on the circle (structural: the network's form).
 const ABOVE: usize = 34;
 /// So many joints, the first, are the face's, structural.
 const FACE: usize = 11;

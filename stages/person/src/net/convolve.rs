@@ -2,9 +2,9 @@
 
 use super::tensor::Tensor;
 
-/// Output channels side by side in registers.
+/// Output channels side by side in registers (structural: what registers hold).
 pub(super) const LANES: usize = 8;
-/// Output pixels that share a weight while it is in a register.
+/// Output pixels that share a weight while it is in a register (structural: what registers hold).
 const PIXELS: usize = 4;
 
 /// A window that moves over an image.

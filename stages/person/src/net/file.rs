@@ -17,12 +17,14 @@ impl std::fmt::Display for Unreadable {
 
 impl std::error::Error for Unreadable {}
 
+/// How a file begins (structural: the file's form).
 const MAGIC: &[u8] = b"TAILNET1";
-/// Numbers of an operator in the file.
+/// Numbers of an operator in the file (structural: the file's form).
 const WORDS: usize = 14;
-/// Where an operator has no second input or no weights.
+/// Where an operator has no second input or no weights (structural: the file's form).
 const NONE: u32 = u32::MAX;
 /// What an activation, a kernel, a number of operators stays below: nothing here comes near it.
+/// It is structural: a limit of memory.
 const MOST: usize = 1 << 24;
 
 /// The numbers of a file, one after the other.

@@ -5,14 +5,18 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 use shape::Pose;
 
 /// Weight of a direction that is kept where it is, in standard deviations of its own size.
+/// It is structural: large enough that nothing moves it, small enough to be solved.
 pub(crate) const FIXED: f64 = 1e8;
 /// The damping to begin with; least; most, where no step helps any more.
+/// It is structural: how steps are searched, not where they end.
 const DAMPING: [f64; 3] = [1e-4, 1e-12, 1e10];
 /// Damping is multiplied by the first after a step that lowered the cost, else by the second.
+/// It is structural: how steps are searched, not where they end.
 const FACTORS: [f64; 2] = [0.2, 8.0];
 /// Added to the diagonal, so that what nothing depends on has an inverse. Not squared units: shares.
+/// It is structural: above what doubles round.
 const FLOOR: f64 = 1e-12;
-/// Cost of a point behind a camera, in place of its infinite one.
+/// Cost of a point behind a camera, in place of its infinite one (structural: more than any point in front costs).
 const BEHIND: f64 = 1e6;
 
 /// Normal equations, and what else a step needs.

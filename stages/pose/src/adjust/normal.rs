@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector, Matrix2x3, Matrix3, SMatrix, Vector2, Vector3};
 /// Most unknowns side by side: rotation, translation and zoom of a photo (structural: 3 + 3 + 1).
 const WIDEST: usize = 7;
 /// Added to the diagonal of a point's own block, so that a point seen once has an inverse.
+/// It is structural: above what doubles round.
 const POINT_FLOOR: f64 = 1e-15;
 
 /// Derivatives of a residual by unknowns that are side by side in the system.

@@ -21,15 +21,16 @@ pub struct DiskEdge {
 
 /// Steps of half a level are none, whatever the rest are: files hold whole levels.
 const LEAST_STEP: f64 = 0.5;
-/// Points around the edge.
+/// Points around the edge (structural: samples).
 const AROUND: usize = 96;
 
 /// How far to both sides of an edge to look, and of one that may be between circles tried. \[px\]
 const NEAR: f64 = 1.5;
 const WIDE: f64 = 4.0;
-/// Circles tried along heights and along radii.
+/// Circles tried along heights and along radii (structural: samples of a search).
 const STEPS: usize = 70;
 /// So many of the strongest circles are looked at; where one edge is no disk's, many are along it.
+/// It is structural: the width of a search.
 const PEAKS: usize = 100;
 /// A quarter of a disk's steps may be less than this share of their mean: other edges of the background, a
 /// skirting board's, follow a circle for a part of it.

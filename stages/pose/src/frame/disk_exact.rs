@@ -7,13 +7,14 @@ use shape::{Camera, Gray};
 /// How far outwards and inwards profiles reach, and by what steps. \[px\]
 const OUT: f64 = 5.0;
 const IN: f64 = 4.0;
+/// Step of a profile (structural: samples).
 const STEP: f64 = 0.25;
 /// Arcs around the edge, and lines across each, of which the mean is a profile.
 const ARCS: usize = 16;
 const LINES: usize = 12;
 /// Fewest arcs that show an edge.
 const LEAST: usize = 8;
-/// Rounds of circle and profiles.
+/// Rounds of circle and profiles (structural: the second hardly changes it).
 const ROUNDS: usize = 3;
 /// How far to both sides it is looked whether it grows brighter. \[px\]
 const NEAR: f64 = 1.5;

@@ -10,10 +10,11 @@ use nalgebra::{Matrix3, Vector3};
 const EDGES: [f64; 2] = [-2.0, 2.0];
 const BANDS: [f64; 2] = [1.0, 5.0];
 const BLURS: [f64; 2] = [0.3, 2.1];
+/// How many of each are tried (structural: the grid from which a search begins).
 const TRIED: [usize; 3] = [17, 9, 7];
 /// Least width of a band and least blur. \[px\]
 const LEAST: [f64; 2] = [0.5, 0.2];
-/// Rounds in which the best is bettered by ever smaller steps.
+/// Rounds in which the best is bettered by ever smaller steps (structural: steps are halved to a ten-thousandth).
 const ROUNDS: usize = 14;
 /// An edge is one where the model is off by less than this share of all that light changes, root mean square (by hand).
 const LOOSE: f64 = 0.25;

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 /// Size, focal length, centre, k1 and k2.
 type Lens = ([u32; 2], [f64; 2], [f64; 2], [f64; 2]);
 
+/// Models of lenses and how many numbers each has (structural: COLMAP's own numbers and names).
 const MODELS: [(&str, usize); 5] = [
     ("SIMPLE_PINHOLE", 3),
     ("PINHOLE", 4),

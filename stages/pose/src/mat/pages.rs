@@ -16,11 +16,11 @@ pub struct Paper {
 
 /// PDF's unit: 1/72 inch (derived: 72 a 25.4 mm).
 const POINT: f64 = 72.0 / 25.4;
-/// What neighbouring pages print of each other. \[mm\]
+/// What neighbouring pages print of each other (structural: the print's layout). \[mm\]
 const OVERLAP: f64 = 8.0;
-/// Space below the picture for ruler and words. \[mm\]
+/// Space below the picture for ruler and words (structural: the print's layout). \[mm\]
 const FOOT: f64 = 14.0;
-/// Space between pieces of the rim's strip. \[mm\]
+/// Space between pieces of the rim's strip (structural: the print's layout). \[mm\]
 const GAP: f64 = 6.0;
 
 /// SVG at true scale: one user unit is a millimetre. The rim's pieces are below the mat.

@@ -43,7 +43,7 @@ const PX: f64 = 1e-3;
 const EXACT: f64 = 0.0025;
 /// Nominal and printed size of a tag agree within this: printers shrink pages.
 const PRINTED: f64 = 0.03;
-/// Most photos that are looked at for the ring's radius.
+/// Most photos that are looked at for the ring's radius (structural: more of them only take longer).
 const PHOTOS: usize = 12;
 /// Sides of tags are shifted by ink and light less than this. \[px\]
 const BLOOM_PX: f64 = 0.5;

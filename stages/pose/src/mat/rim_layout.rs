@@ -8,9 +8,9 @@ use shape::tag36h11::TAGS;
 const MARGIN: f64 = 0.125;
 /// A tag spans at most this share of the disk's radius, so that it is not seen too round.
 const MOST_BENT: f64 = 0.35;
-/// Most tags that are chosen where no number is given.
+/// Most tags that are chosen where no number is given (structural: the print's layout).
 const ENOUGH: u32 = 48;
-/// What is left of paper behind a piece, to glue the next one on. \[mm\]
+/// What is left of paper behind a piece, to glue the next one on (structural: the print's layout). \[mm\]
 const TAB: f64 = 8.0;
 
 /// A piece of the strip; its lower left corner at (0, 0).

@@ -16,7 +16,7 @@ use shape::{Camera, Intrinsics, PhotoId, Photos, Pose, Tracks};
 
 /// Fewest points that hold a camera.
 const LEAST: usize = 12;
-/// How many pairs are tried as a beginning.
+/// How many pairs are tried as a beginning (structural: the width of a search).
 const BEGINNINGS: usize = 8;
 /// Points further from where they were seen are left out while cameras are added. \[px\]
 const NEAR_PX: f64 = 6.0;

@@ -32,7 +32,7 @@ pub(crate) struct Free {
     pub(crate) shots: Option<Vec<bool>>,
 }
 
-/// A step that lowers the cost by less than this share is the last.
+/// A step that lowers the cost by less than this share is the last (structural: a search's end).
 const GAIN: f64 = 1e-6;
 
 /// Adjusts all of a model in place and returns the costs, which never rise. The first shot stays,

@@ -10,7 +10,7 @@ use shape::{Intrinsics, PhotoId};
 
 /// Fewest points of a beginning.
 const LEAST: usize = 30;
-/// How many pairs are looked at.
+/// How many pairs are looked at (structural: the width of a search).
 const PAIRS: usize = 40;
 /// Points seen at this angle are worth most. \[rad\]
 const WIDE: f64 = 0.15;

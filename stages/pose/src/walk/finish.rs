@@ -6,7 +6,7 @@ use crate::walk::model::Model;
 use crate::walk::points::offs;
 use crate::walk::rules::Growth;
 
-/// How many rounds.
+/// How many rounds (structural: a search's end).
 const ROUNDS: usize = 4;
 
 /// An adjusted walk.

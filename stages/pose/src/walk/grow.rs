@@ -22,10 +22,11 @@ pub(crate) struct Grown<'a> {
 }
 
 /// How many shots are adjusted with a new one.
+/// It is structural: how often all are solved together, not what comes out at the end.
 const LOCAL: usize = 6;
-/// All are adjusted when there are so many times as many.
+/// All are adjusted when there are so many times as many (structural: the same).
 const MORE: f64 = 1.25;
-/// Until there are so many, all are adjusted each time.
+/// Until there are so many, all are adjusted each time (structural: the same).
 const FIRST: usize = 8;
 
 /// Grows cameras from the best beginning over all that hold on, from the focal lengths that explain

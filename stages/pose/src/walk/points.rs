@@ -5,7 +5,7 @@ use crate::walk::model::{Model, Seen, Spot};
 use rayon::prelude::*;
 use shape::{Camera, PhotoId};
 
-/// Most pairs of observations of which a point is tried.
+/// Most pairs of observations of which a point is tried (structural: the width of a search).
 const TRIES: usize = 15;
 
 /// Which shot a photo is, by photo.

@@ -22,7 +22,7 @@ pub struct World {
 const OWN: f64 = 0.01;
 /// Axes whose spread is to this share along one direction point one way.
 const ONE_WAY: f64 = 0.9;
-/// Rounds of reweighting.
+/// Rounds of reweighting (structural: a search's end).
 const ROUNDS: usize = 10;
 
 /// The frame of cameras whose photos are upright, and of points around them. None for cameras that

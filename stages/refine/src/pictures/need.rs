@@ -15,9 +15,11 @@ const PICTURE_PIXEL: f64 = 8.0;
 const PHOTO_PIXEL: f64 = 36.0;
 
 /// Of a vertex: what each photo shows there, its equations, its neighbours. \[bytes\]
+/// It is structural: what the memory is planned by.
 const VERTEX: f64 = 2500.0;
 
 /// Of a vertex of a surface that only gives way to one with other edges: itself and its neighbours. \[bytes\]
+/// It is structural: what the memory is planned by.
 const LEFT_VERTEX: f64 = 300.0;
 
 /// Vertices for a pixel of a silhouette at a pixel's spacing: the surface of what is round has π times
@@ -25,6 +27,7 @@ const LEFT_VERTEX: f64 = 300.0;
 const VERTICES: f64 = std::f64::consts::PI / 0.866;
 
 /// Of a body whose silhouettes nobody gave, the share of a photo that it covers.
+/// It is structural: what the memory is planned by.
 const COVERS: f64 = 0.3;
 
 /// What [`pictures`](crate::pictures::prepare::pictures) takes: those that stay, and what it takes to make them.

@@ -6,11 +6,11 @@ use crate::features::limb::one::{Joint, Limb};
 
 /// Height of the middle of the kneecap against the crotch's, of 6068 men and women (ANSUR II, 2012).
 const KNEE: (f64, f64) = (0.576, 0.014);
-/// From the middle of the kneecap to the crotch, as a share of stature; of the same people.
+/// From the middle of the kneecap to the crotch, as a share of stature; of the same people (ANSUR II).
 const ABOVE_KNEE: (f64, f64) = (0.204, 0.0102);
-/// Height of the crotch as a share of stature; of the same people.
+/// Height of the crotch as a share of stature; of the same people (ANSUR II).
 const CROTCH: (f64, f64) = (0.481, 0.0145);
-/// Height of the trochanter against the crotch's; of the same people.
+/// Height of the trochanter against the crotch's; of the same people (ANSUR II).
 const HIP: (f64, f64) = (1.07, 0.024);
 /// How sure the crotch is where a leg's line ends, as a share of stature.
 const END: f64 = 0.008;

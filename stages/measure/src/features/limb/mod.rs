@@ -55,9 +55,11 @@ impl Limbs<'_> {
     }
 }
 
-/// Lengths as shares of stature: cells of the graph, cells of the faces, steps of the bands.
+/// Lengths as shares of stature: cells of the graph, cells of the faces, steps of the bands (structural: samples).
 const CELL: f64 = 1.0 / 160.0;
+/// Cells of the faces (structural: samples).
 const FACES: f64 = 1.0 / 40.0;
+/// Steps of the bands (structural: samples).
 const BAND: f64 = 0.005;
 /// Arms and legs stand out at least so far, as a share of stature.
 const ARM: f64 = 0.2;
