@@ -232,7 +232,7 @@ fn seen(
     let (cameras, masks) = (input.cameras.as_deref(), input.masks.as_deref());
     let (Some(body), Some((cameras, masks))) = (body, cameras.zip(masks)) else {
         return Seen {
-            borders: Borders::default(),
+            borders: Borders::Hidden,
             // A surface that no photos made has no corners of theirs.
             open_mm: cameras.is_none().then_some(0.0),
             left_out_mm: 0.0,
@@ -256,7 +256,7 @@ fn sure<'a>(
 ) -> Sure<'a> {
     let off: Vec<f64> = all
         .iter()
-        .filter_map(|(_, here, s)| Some((here.tape_mm - s.borders.support.as_ref()?.girth) / TAU))
+        .filter_map(|(_, here, s)| Some((here.tape_mm - s.borders.around()?.girth) / TAU))
         .collect();
     let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
     let even = match input.masks {

@@ -10,12 +10,23 @@ use rayon::prelude::*;
 use shape::{Cameras, Landmark, Masks, Part};
 
 /// What borders beside a section come to.
-#[derive(Default)]
-pub(crate) struct Borders {
-    /// Its girth by silhouettes.
-    pub(crate) support: Option<Support>,
-    /// Else how far they are outside of it, with the standard deviation. \[mm\]
-    pub(crate) beyond: Option<(f64, f64)>,
+pub(crate) enum Borders {
+    /// Its girth: they show it all around.
+    Around(Support),
+    /// Where they show it, they are so far outside of it, with the standard deviation. \[mm\]
+    Outside(f64, f64),
+    /// They do not show it.
+    Hidden,
+}
+
+impl Borders {
+    /// The girth by silhouettes.
+    pub(crate) fn around(&self) -> Option<&Support> {
+        match self {
+            Borders::Around(support) => Some(support),
+            _ => None,
+        }
+    }
 }
 
 /// What silhouettes show of a level section of the trunk, where no arm hides it.
@@ -27,7 +38,7 @@ pub(crate) fn by_silhouettes(
     masks: &Masks,
 ) -> Borders {
     if !is_whole(landmark, taken) {
-        return Borders::default();
+        return Borders::Hidden;
     }
     let origin = crate::geometry::section::centre(&taken.contour);
     let others = limbs(body, landmark.plane.point_mm[2], &taken.contour, origin);
@@ -42,12 +53,11 @@ pub(crate) fn by_silhouettes(
         .map(|(view, mask)| tangents(&taken.contour, &others, origin, &view.camera, mask))
         .collect();
     let all = all.concat();
-    let support = support_girth(&all);
-    let beyond = match support {
-        Some(_) => None,
-        None => beyond(&all, &taken.contour, origin),
-    };
-    Borders { support, beyond }
+    if let Some(support) = support_girth(&all) {
+        return Borders::Around(support);
+    }
+    beyond(&all, &taken.contour, origin)
+        .map_or(Borders::Hidden, |(mm, sigma)| Borders::Outside(mm, sigma))
 }
 
 /// Whether a section is a level one of the trunk alone, of which nothing is hidden.

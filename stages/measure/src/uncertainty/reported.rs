@@ -83,10 +83,11 @@ impl Sure<'_> {
         level: Level,
     ) -> Result<Girth, Refusal> {
         let at = Point3::from(landmark.plane.point_mm);
-        let support = seen.borders.support.as_ref();
-        let surface = match support.is_some() || (self.hull && seen.borders.beyond.is_some()) {
-            true => self.surface(at),
-            false => self.unseen(at),
+        let support = seen.borders.around();
+        let surface = match seen.borders {
+            Borders::Hidden => self.unseen(at),
+            Borders::Outside(..) if !self.hull => self.unseen(at),
+            _ => self.surface(at),
         };
         let shared = self.cameras.map_or(0.0, |c| shared_border(c, at));
         let outline = support.map(|s| (s.girth, libm::hypot(s.sigma, shared)));
@@ -154,7 +155,10 @@ fn round(
     let (round, sigma) = match outline {
         Some(girth) => girth,
         None => {
-            let (out, sigma) = seen.borders.beyond.unwrap_or_default();
+            let (out, sigma) = match seen.borders {
+                Borders::Outside(mm, sigma) => (mm, sigma),
+                _ => (0.0, 0.0),
+            };
             let closed = tape - seen.open_mm.unwrap_or(0.0);
             (closed + TAU * out, libm::hypot(shared, TAU * sigma))
         }
@@ -227,7 +231,7 @@ mod tests {
     #[test]
     fn a_hulls_tape_is_that_of_its_outlines_or_lacks_the_corners_that_none_confirms() {
         let seen = |open: f64| Seen {
-            borders: Borders::default(),
+            borders: Borders::Hidden,
             open_mm: Some(open),
             left_out_mm: 0.0,
             worn_mm: 0.0,
@@ -239,10 +243,7 @@ mod tests {
         assert_eq!(tape, 960.0);
         assert!((21.7..22.0).contains(&sigma), "{sigma}");
         let partly = Seen {
-            borders: Borders {
-                support: None,
-                beyond: Some((5.0, 1.0)),
-            },
+            borders: Borders::Outside(5.0, 1.0),
             ..seen(0.0)
         };
         let (tape, sigma) = round(1000.0, (3.0, 8.0), None, &partly);
