@@ -7,6 +7,7 @@
 use crate::graph::InputDecl;
 use crate::pattern::{fits, natural};
 use crate::system;
+use crate::text::shown;
 use serde::{Deserialize, Serialize};
 use stage::{Coded, FileEntry, Files, Hash, Message, Template, message};
 use std::collections::BTreeMap;
@@ -150,15 +151,6 @@ pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files,
     };
     let entries = names.iter().map(entry).collect::<Result<_, _>>()?;
     Ok(Files { root, entries })
-}
-
-/// A path as it may be shown: what would steer a terminal or break the line is escaped.
-fn shown(path: &Path) -> String {
-    let escaped = |c: char| match c.is_control() {
-        true => c.escape_default().to_string(),
-        false => c.to_string(),
-    };
-    path.to_string_lossy().chars().map(escaped).collect()
 }
 
 /// What is wrong with the name of a file.

@@ -1,18 +1,28 @@
 //! Texts for people: nothing that steers a terminal, no more digits than matter.
 
 use comfy_table::{CellAlignment, ContentArrangement, Table};
+use std::path::Path;
 
 /// A text that steers no terminal: whatever a file's or a person's name brings along is escaped.
 pub fn plain(text: String) -> String {
-    let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
-    if !text.contains(steers) {
-        return text;
+    match text.contains(|c: char| c.is_control()) {
+        true => escaped(&text.replace("\r\n", "\n"), &['\n', '\t']),
+        false => text,
     }
-    let one = |c: char| match steers(c) {
+}
+
+/// A text whose control characters are escaped, but for some.
+pub(crate) fn escaped(text: &str, but: &[char]) -> String {
+    let one = |c: char| match c.is_control() && !but.contains(&c) {
         true => c.escape_default().to_string(),
         false => c.to_string(),
     };
-    text.replace("\r\n", "\n").chars().map(one).collect()
+    text.chars().map(one).collect()
+}
+
+/// A path in a line.
+pub(crate) fn shown(path: &Path) -> String {
+    escaped(&path.to_string_lossy(), &[])
 }
 
 /// So many of something: `1 photo`, `2 photos`.

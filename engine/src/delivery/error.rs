@@ -1,7 +1,8 @@
 //! Why results cannot be delivered.
 
+use crate::text::shown;
 use stage::{Coded, Message, message};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 stage::messages! {
     DISK = "cli-out-disk": "{path}: {why}";
@@ -34,7 +35,6 @@ pub enum DeliveryError {
 
 impl Coded for DeliveryError {
     fn message(&self) -> Message {
-        let shown = |path: &Path| path.display().to_string();
         match self {
             Self::Disk { path, why } => message!(DISK, path = shown(path), why = why.to_string()),
             Self::Link(path) => message!(LINK, path = shown(path)),

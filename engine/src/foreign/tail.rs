@@ -1,5 +1,6 @@
 //! The last lines of a program.
 
+use crate::text::escaped;
 use std::collections::VecDeque;
 
 /// The last lines that a program printed, for messages.
@@ -11,12 +12,8 @@ const SHOWN_OF_LINE: usize = 300;
 
 impl Tail {
     pub(super) fn push(&mut self, line: &str) {
-        let escaped = |c: char| match c.is_control() && c != '\t' {
-            true => c.escape_default().to_string(),
-            false => c.to_string(),
-        };
-        let shown = line.chars().take(SHOWN_OF_LINE).map(escaped).collect();
-        self.0.push_back(shown);
+        let shown: String = line.chars().take(SHOWN_OF_LINE).collect();
+        self.0.push_back(escaped(&shown, &['\t']));
         if self.0.len() > TAIL_LINES {
             self.0.pop_front();
         }

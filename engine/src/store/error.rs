@@ -1,7 +1,8 @@
 //! A store that cannot be used.
 
+use crate::text::shown;
 use stage::{Coded, Message, message};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 stage::messages! {
     DISK = "cli-cache-disk": "the cache at {path}: {why}; free space or make it writable, or give another with --cache";
@@ -57,7 +58,6 @@ pub enum StoreError {
 
 impl Coded for StoreError {
     fn message(&self) -> Message {
-        let shown = |path: &Path| path.display().to_string();
         match self {
             StoreError::Disk { path, why } => {
                 message!(DISK, path = shown(path), why = why.to_string())
