@@ -2,11 +2,11 @@
 
 use crate::align::stage::{Align, AlignInput, AlignParams};
 use crate::border::stage::{Border, BorderInput, BorderParams};
+use crate::empty_scene::stage::{EmptyScene, EmptySceneInput, EmptySceneParams};
 use crate::label::stage::{Label, LabelInput, LabelParams};
 use crate::likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
 use crate::params::GrabCutParams;
 use crate::plate::stage::{Plate, PlateInput};
-use crate::room::stage::{Room, RoomInput, RoomParams};
 use shape::{Cameras, Masks, People, Photos};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -33,7 +33,7 @@ impl Stage for GrabCut {
     type Params = GrabCutParams;
     type Input = GrabCutInput;
     type Output = Masks;
-    const METRICS: &'static [&'static str] = Room::METRICS;
+    const METRICS: &'static [&'static str] = EmptyScene::METRICS;
 
     fn run(p: &GrabCutParams, input: GrabCutInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
         let GrabCutInput {
@@ -55,17 +55,17 @@ impl Stage for GrabCut {
             aligned: Arc::clone(&aligned),
         };
         let known = Some(Arc::new(Plate::run(&(), sources, ctx)?));
-        let params = RoomParams {
+        let params = EmptySceneParams {
             cut: p.cut.clone(),
             disk_side_mm: p.disk_side_mm,
         };
-        let sources = RoomInput {
+        let sources = EmptySceneInput {
             photos: Arc::clone(&photos),
             aligned: Arc::clone(&aligned),
             known,
             people: people.clone(),
         };
-        let scene = Arc::new(Room::run(&params, sources, ctx)?);
+        let scene = Arc::new(EmptyScene::run(&params, sources, ctx)?);
         let params = LikelihoodParams {
             disk_side_mm: p.disk_side_mm,
         };

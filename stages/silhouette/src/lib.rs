@@ -6,9 +6,9 @@
 //!
 //! | step | reads | makes | what it is |
 //! |---|---|---|---|
-//! | [`Align`] (`align/`) | photos, cameras | `aligned` | how each photo is aligned with the plate or the others, and its levels at one exposure |
+//! | [`Align`] (`align/`) | photos, cameras | `aligned` | how each photo is aligned with the plate or the other photos, and its levels at one exposure |
 //! | [`Plate`] (`plate/`) | photos, aligned | `scene` | the empty scene by a photo of it; without one *unknown* |
-//! | [`Room`] (`room/`) | photos, aligned, scene, people | `scene` | the empty scene out of all photos, where it is unknown; with it the bodies on which photos agree |
+//! | [`EmptyScene`] (`empty_scene/`) | photos, aligned, scene, people | `scene` | the empty scene out of all photos, where it is unknown; with it the bodies on which photos agree |
 //! | [`Likelihood`] (`likelihood/`) | photos, aligned, scene, people | `evidence` | what each reduced pixel costs as background, and what is certain |
 //! | [`Label`] (`label/`) | aligned, scene, evidence | `labels` | body or background of each reduced pixel, all photos together |
 //! | [`Border`] (`border/`) | all of these, people | `masks` | the border again at full size; parts of a person that look like the scene along it are named |
@@ -18,7 +18,7 @@
 //! those of a walk, which has no empty scene.
 //!
 //! Without a plate there is no seam between scene and labels: rounds alternate between what the photos show where
-//! nobody covers it, and outlines on which they agree. So `Room` makes both, and `Label` takes the bodies over.
+//! nobody covers it, and outlines on which they agree. So `EmptyScene` makes both, and `Label` takes the bodies over.
 //! Noise is measured against what a photo should show, so it belongs to `Likelihood` (reduced) and `Border` (full size).
 //!
 //! # The energy
@@ -40,15 +40,15 @@
 //! | | … where nobody saw the scene: colours of the scene beside, of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
-//! | both | … and the log-odds of a learned sense of a person, on the side that they speak against; next to what evidently is body they say nothing of a gap that the network cannot see | `likelihood/person.rs` |
+//! | both | … and the log-odds of a learned sense of a person, on the side that they speak against; next to what evidently is body they count nothing in a gap that the network cannot see | `likelihood/person.rs` |
 //! | both | … and the log-odds of all other photos: how deep a pixel's ray passes into the hull of their bodies, or how far beside it, and whether the photo from the other side shows background there, worth what the photos of the capture show of such pixels; with odds, the background costs no more than what no scene foresees, by how often the photo shows such where all other photos see the background | `label/between_photos.rs` |
 //! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
 //! | parts | the body is the largest part; until all other photos are weighed in, of its holes stay those that the scene explains | `label/parts.rs` |
 //!
 //! Beside the energy, each with its reason in its file: patches that stay in place as the body turns are background
-//! (`room/background_patches.rs`); narrow ends of gaps are followed at full size (`border/narrow_gaps.rs`). The scene of a
-//! turn is a labelling of its own: of all levels that recur at a pixel (`room/recurring_levels.rs`) those that go over
-//! smoothly into each other (`room/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).
+//! (`empty_scene/background_patches.rs`); narrow ends of gaps are followed at full size (`border/narrow_gaps.rs`). The scene of a
+//! turn is a labelling of its own: of all levels that recur at a pixel (`empty_scene/recurring_levels.rs`) those that go over
+//! smoothly into each other (`empty_scene/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).
 //!
 //! # Another algorithm
 //!
@@ -62,13 +62,13 @@
 mod align;
 mod border;
 mod cut;
+mod empty_scene;
 mod grabcut;
 mod import;
 mod label;
 mod likelihood;
 mod params;
 mod plate;
-mod room;
 mod scene;
 mod walk;
 
@@ -79,6 +79,9 @@ pub use border::full_size::fine;
 pub use border::stage::{Border, BorderInput, BorderParams};
 pub use cut::least_cut::Known;
 pub use cut::maxflow::{Grid, STEPS};
+pub use empty_scene::recurring::recurring;
+pub use empty_scene::rounds::{Cuts, without_plate};
+pub use empty_scene::stage::{EmptyScene, EmptySceneInput, EmptySceneParams};
 pub use grabcut::{GrabCut, GrabCutInput};
 pub use import::{Body, Import, ImportError, ImportInput, ImportParams};
 pub use label::color_cut::{Settings, coarse};
@@ -89,9 +92,6 @@ pub use likelihood::prepared::{Prepared, prepare};
 pub use likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
 pub use params::{CutError, CutParams, GrabCutParams};
 pub use plate::stage::{Plate, PlateInput};
-pub use room::recurring::recurring;
-pub use room::rounds::{Cuts, without_plate};
-pub use room::stage::{Room, RoomInput, RoomParams};
 pub use scene::backdrop::Backdrop;
 pub use scene::still_and_disk::Shot;
 pub use walk::{Walk, WalkCutError, WalkInput, WalkParams};
@@ -100,7 +100,7 @@ pub use walk::{Walk, WalkCutError, WalkInput, WalkParams};
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Align>().failing(CODED),
     &stage::erase::<Plate>().failing(CODED),
-    &stage::erase::<Room>().failing(CODED),
+    &stage::erase::<EmptyScene>().failing(CODED),
     &stage::erase::<Likelihood>().failing(CODED),
     &stage::erase::<Label>().failing(CODED),
     &stage::erase::<Border>().failing(CODED),
@@ -113,7 +113,7 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
 pub const MESSAGES: &[&[stage::Template]] = &[
     border::like_scene::MESSAGES,
     import::MESSAGES,
-    room::stage::MESSAGES,
+    empty_scene::stage::MESSAGES,
     walk::MESSAGES,
     CutError::MESSAGES,
     ImportError::MESSAGES,

@@ -3,7 +3,7 @@
 use shape::{Aligned, Cameras, PhotoId, View};
 
 /// Cameras as they would be where all photos are aligned.
-pub(crate) fn where_photos_lie_alike(aligned: &Aligned) -> Option<Cameras> {
+pub(crate) fn aligned_alike(aligned: &Aligned) -> Option<Cameras> {
     let cameras = aligned.cameras.as_ref()?;
     let brought = |(id, view): (PhotoId, &View)| {
         let view = View {

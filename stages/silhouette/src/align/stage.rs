@@ -82,7 +82,7 @@ fn placed_on(
             let small = photo.decode()?.reduced(by);
             Ok(one_view(on_plate(&small, &still, by)))
         };
-        let found: Aligned = ctx.part("lies", &[photo.content(), plate.content()], alone)?;
+        let found: Aligned = ctx.part("alignment", &[photo.content(), plate.content()], alone)?;
         steps.tick()?;
         Ok((*id, found.of(PhotoId(0)).clone()))
     };

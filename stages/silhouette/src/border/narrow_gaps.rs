@@ -194,7 +194,7 @@ mod tests {
             photo: &photo,
             expected: &without.image,
             noise,
-            ground: &|_, _| Ground::Room,
+            ground: &|_, _| Ground::Wall,
             reach: 2,
         };
         let open = |i: usize| i / SIDE >= 28 && gap(i % SIDE, i / SIDE);

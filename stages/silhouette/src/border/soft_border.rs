@@ -30,7 +30,7 @@ pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise
                 length += step * step;
             }
             let share = (along / length.max(1.0)).clamp(0.0, 1.0);
-            let trust = length / (length + (8.0 * noise.room).powi(2));
+            let trust = length / (length + (8.0 * noise.still).powi(2));
             let mixed = trust * share * 255.0 + (1.0 - trust) * f32::from(smooth);
             *mask.at_mut(x, y) = mixed.round() as u8;
         }

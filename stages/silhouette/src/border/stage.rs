@@ -1,6 +1,6 @@
 //! The stage that cuts the border of the labels again at full size.
 
-use crate::align::cameras::where_photos_lie_alike;
+use crate::align::cameras::aligned_alike;
 use crate::border::by_colors::fine_by_colors;
 use crate::border::full_size::fine;
 use crate::border::like_scene::like_scene;
@@ -121,7 +121,7 @@ impl Turn<'_> {
         label: &Label,
     ) -> [Hash; 6] {
         let aligned = &self.input.aligned;
-        let lies = format!(
+        let alignment = format!(
             "{:?} {:?} {:?}",
             aligned.of(id),
             aligned.taken(id),
@@ -133,7 +133,7 @@ impl Turn<'_> {
         [
             photo.content(),
             self.agreement.content(id),
-            stage::hash(lies.as_bytes()),
+            stage::hash(alignment.as_bytes()),
             self.input.scene.content_for(self.picture, id),
             evidence.content(),
             stage::content(&labels),
@@ -186,7 +186,7 @@ impl Turn<'_> {
 /// What the labels of all photos show of each other, where cameras are known.
 fn agreement(input: &BorderInput) -> Agreement {
     let known = Some(&input.aligned).filter(|_| !input.scene.is_unknown());
-    let Some(cameras) = known.and_then(|aligned| where_photos_lie_alike(aligned)) else {
+    let Some(cameras) = known.and_then(|aligned| aligned_alike(aligned)) else {
         return Agreement::default();
     };
     let mask = |(id, label): (PhotoId, &Label)| (id, label.body.map(|b| if *b { 255 } else { 0 }));

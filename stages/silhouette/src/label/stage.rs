@@ -1,6 +1,6 @@
 //! The stage that labels reduced photos: body or background, all photos together.
 
-use crate::align::cameras::where_photos_lie_alike;
+use crate::align::cameras::aligned_alike;
 use crate::label::between_photos::Agreement;
 use crate::label::by_colors::by_colors;
 use crate::label::color_cut::{Settings, coarse};
@@ -58,7 +58,7 @@ impl Stage for Label {
         let settings = Settings::of(&p.cut);
         let scene = &*input.scene;
         let agreeing = scene.bodies.is_empty() && !scene.is_unknown() && p.coherence;
-        let cameras = where_photos_lie_alike(&input.aligned).filter(|_| agreeing);
+        let cameras = aligned_alike(&input.aligned).filter(|_| agreeing);
         let views = input.evidence.views.as_slice();
         let passes = if cameras.is_some() { 3 } else { 1 };
         let steps = ctx.steps("photos", views.len() * passes);

@@ -146,7 +146,7 @@ fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32, spread:
             / 2.0
     };
     let (darkest, brightest) = match on {
-        Ground::Room => (0.88, 1.04),
+        Ground::Wall => (0.88, 1.04),
         Ground::Floor => (0.45, 1.04),
         Ground::Disk => (0.2, 1.04),
     };
@@ -155,7 +155,7 @@ fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32, spread:
     let light = (sum(p) / ((sum(lo) + sum(hi)) / 2.0)).clamp(darkest, brightest);
     let change = (light - 1.0).abs();
     let price = match on {
-        Ground::Room => price_of_light(change, spread),
+        Ground::Wall => price_of_light(change, spread),
         _ => 7.0 * change,
     };
     // The darker a shadow on the disk, the more of what is left there the subject's colour throws back.
@@ -187,11 +187,11 @@ mod tests {
         let photo = noisy(160.0, 1.0, &mut dice);
         let noise = Noise::even(2.0);
         let all = [0, 0, 80, 60];
-        let cost = background_cost(&photo, &plate, noise, &|_, _| Ground::Room, 1, all);
+        let cost = background_cost(&photo, &plate, noise, &|_, _| Ground::Wall, 1, all);
         let mean = cost.iter().sum::<f32>() / cost.len() as f32;
         assert!(mean > FLAT + 5.0, "{mean}");
         // The wall itself, and the floor in a shadow of the same colour.
-        let wall = background_cost(&plate, &plate, noise, &|_, _| Ground::Room, 1, all);
+        let wall = background_cost(&plate, &plate, noise, &|_, _| Ground::Wall, 1, all);
         assert!(wall.iter().all(|c| *c == FLAT));
         let dark = Rgb::filled(80, 60, [119, 116, 108]);
         let shadow = background_cost(&dark, &plate, noise, &|_, _| Ground::Floor, 1, all);

@@ -29,7 +29,7 @@ impl<'a> Behind<'a> {
         };
         // A plate shows its disk.
         let laid = (!scene.bodies.is_empty()).then(|| Laid {
-            room: backdrop(&scene.still),
+            still: backdrop(&scene.still),
             disk: scene.disk.as_ref().map_or_else(nowhere, backdrop),
             radius: scene
                 .disk
@@ -60,7 +60,7 @@ impl<'a> Behind<'a> {
         if let Some(laid) = &self.laid {
             return match self.aligned.camera(id) {
                 Some(camera) => laid.behind(pixels, &camera),
-                None => laid.room.clone(),
+                None => laid.still.clone(),
             };
         }
         let view = self.scene.views.get(id).cloned().unwrap_or_default();

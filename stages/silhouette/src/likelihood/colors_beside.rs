@@ -1,13 +1,13 @@
 //! Background that nobody saw, out of what is beside it.
 //!
-//! Near the axis the body covers a pixel on nearly all photos. Where one of the few others shows a
-//! colour that the room has close by, it is the room's rather than the body's.
+//! Near the axis the body covers a pixel on nearly all photos. Where one of the few other photos shows a
+//! colour that the scene has close by, it is the scene's rather than the body's.
 
 use crate::likelihood::background::FLAT;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Rgb};
 
-/// How far away the room is asked, as a share of the photo's height.
+/// How far away the scene is asked, as a share of the photo's height.
 const REACH: f64 = 0.03;
 /// Places that are asked along a side of the neighbourhood.
 const ASKED: usize = 17;
@@ -16,25 +16,25 @@ pub(crate) const UNLIKE: f32 = 4.0;
 /// What it costs that a colour is found beside its place.
 const BESIDE: f32 = 2.0;
 
-/// Odds (ln) by which a colour of the room beside must beat the body's before it is the room's beyond
+/// Odds (ln) by which a colour of the scene beside must beat the body's before it is the scene's beyond
 /// doubt.
 pub(crate) const APART: f32 = 6.0;
 
-/// The room seen close to each pixel that nobody saw.
+/// The scene seen close to each pixel that nobody saw.
 pub(crate) struct Nearby<'a> {
-    room: &'a Backdrop,
+    scene: &'a Backdrop,
     step: i64,
     close: Image<bool>,
 }
 
 impl<'a> Nearby<'a> {
     /// Finds the unseen pixels that have seen ones nearby.
-    pub(crate) fn of(room: &'a Backdrop) -> Self {
-        let (w, h) = (room.seen.width, room.seen.height);
+    pub(crate) fn of(scene: &'a Backdrop) -> Self {
+        let (w, h) = (scene.seen.width, scene.seen.height);
         let step = ((h as f64 * REACH * 2.0 / (ASKED - 1) as f64).round() as i64).max(1);
         let reach = step as usize * (ASKED / 2);
         // Nearest seen pixel along rows, then along columns.
-        let mut close = room.seen.clone();
+        let mut close = scene.seen.clone();
         for along_rows in [true, false] {
             let from = close.clone();
             let (lines, length) = if along_rows { (h, w) } else { (w, h) };
@@ -58,11 +58,11 @@ impl<'a> Nearby<'a> {
                 }
             }
         }
-        Nearby { room, step, close }
+        Nearby { scene, step, close }
     }
 
-    /// -ln p(pixel | a colour of the room nearby), on the scale of the costs of the background.
-    /// `None` where the room was not seen nearby.
+    /// -ln p(pixel | a colour of the scene nearby), on the scale of the costs of the background.
+    /// `None` where the scene was not seen nearby.
     pub(crate) fn cost(&self, photo: &Rgb, i: usize) -> Option<f32> {
         if !self.close.data[i] {
             return None;
@@ -79,8 +79,8 @@ impl<'a> Nearby<'a> {
                     continue;
                 }
                 let j = (ny * w + nx) as usize;
-                if self.room.seen.data[j] {
-                    let there = self.room.image.data[j];
+                if self.scene.seen.data[j] {
+                    let there = self.scene.image.data[j];
                     let off = (0..3).map(|c| color[c] - f32::from(there[c]));
                     least = least.min(off.map(|d| d * d).sum());
                 }
@@ -95,15 +95,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_colour_that_the_room_has_close_by_is_cheap_and_another_is_dear() {
-        // 400 rows: 12 pixels around are asked. The room was not seen in a block in its middle.
-        let mut room = Backdrop::whole(Rgb::filled(60, 400, [90, 100, 120]));
+    fn a_colour_that_the_scene_has_close_by_is_cheap_and_another_is_dear() {
+        // 400 rows: 12 pixels around are asked. The scene was not seen in a block in its middle.
+        let mut scene = Backdrop::whole(Rgb::filled(60, 400, [90, 100, 120]));
         let unseen = |i: usize| (10..50).contains(&(i % 60)) && (100..300).contains(&(i / 60));
         (0..24000)
             .filter(|i| unseen(*i))
-            .for_each(|i| room.seen.data[i] = false);
-        let nearby = Nearby::of(&room);
-        let mut photo = room.image.clone();
+            .for_each(|i| scene.seen.data[i] = false);
+        let nearby = Nearby::of(&scene);
+        let mut photo = scene.image.clone();
         let (like, unlike, far) = (200 * 60 + 14, 202 * 60 + 14, 200 * 60 + 30);
         photo.data[unlike] = [210, 170, 150];
         assert!(nearby.cost(&photo, like).unwrap() < FLAT + 3.0);

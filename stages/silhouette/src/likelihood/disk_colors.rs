@@ -42,14 +42,14 @@ pub(crate) fn mixture(colors: &[[u8; 3]]) -> Option<Gmm> {
 }
 
 /// The colours of what is surely not the background.
-pub(crate) fn body_colors(shots: &[Shot], room: &Backdrop, radius: f64) -> Option<Gmm> {
+pub(crate) fn body_colors(shots: &[Shot], still: &Backdrop, radius: f64) -> Option<Gmm> {
     let mut colors = Vec::new();
     for shot in shots {
         for (i, c) in shot.small.data.iter().enumerate().step_by(5) {
             let off: u32 = (0..3)
-                .map(|k| u32::from(c[k].abs_diff(room.image.data[i][k])))
+                .map(|k| u32::from(c[k].abs_diff(still.image.data[i][k])))
                 .sum();
-            if room.seen.data[i] && off > OFF && !shot.shows_disk(i, radius) {
+            if still.seen.data[i] && off > OFF && !shot.shows_disk(i, radius) {
                 colors.push(*c);
             }
         }
@@ -71,7 +71,7 @@ pub(crate) fn disk_colors(disk: &Backdrop, beyond: f64) -> Option<Gmm> {
 /// Pixels on the disk whose colour is the body's rather than the disk's.
 pub(crate) fn on_the_disk(
     shots: &[Shot],
-    room: &Backdrop,
+    still: &Backdrop,
     body: Option<&Gmm>,
     radius: f64,
 ) -> Vec<Image<bool>> {
@@ -80,7 +80,7 @@ pub(crate) fn on_the_disk(
         return open;
     };
     // Feet are in the middle, and legs hide what is behind them in some photos only.
-    let outer = scene(shots, room.clone(), radius, &open).disk;
+    let outer = scene(shots, still.clone(), radius, &open).disk;
     let Some(disk) = disk_colors(&outer, RIM_FROM) else {
         return open;
     };

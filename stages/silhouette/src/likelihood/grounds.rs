@@ -8,7 +8,7 @@ use nalgebra::{Point2, Point3};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ground {
     /// Walls: the subject dims or brightens them a little.
-    Room,
+    Wall,
     /// The floor around the disk: a shadow may fall on it.
     Floor,
     /// The disk's top: feet touch it, and under them it is nearly dark.
@@ -89,7 +89,7 @@ impl<'a> Grounds<'a> {
         let small = |v: usize| (v as f64 + 0.5) / self.factor as f64 - 0.5;
         let at = Point2::new(small(x), small(y));
         match on_disk(&floor.camera, at, floor.shadow) {
-            None => Ground::Room,
+            None => Ground::Wall,
             Some(hit) if libm::hypot(hit.x, hit.y) < floor.touched => Ground::Disk,
             Some(_) => Ground::Floor,
         }

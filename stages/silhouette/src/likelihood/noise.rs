@@ -25,7 +25,7 @@ const QUANTILE: (f32, f32) = (0.4, 0.5244);
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Noise {
     /// Of what does not move. \[levels\]
-    pub room: f32,
+    pub still: f32,
     /// On the disk, which is turned back and lit otherwise. \[levels\]
     pub disk: f32,
     /// Of the means of neighbourhoods, on what does not move and on the disk: JPEG's noise is alike in neighbours,
@@ -39,7 +39,7 @@ impl Noise {
     /// The same everywhere, and of its light nothing is known. \[levels\]
     pub const fn even(levels: f32) -> Self {
         Noise {
-            room: levels,
+            still: levels,
             disk: levels,
             means: [levels / ALIKE; 2],
             light: SHADED_LIGHT,
@@ -49,7 +49,7 @@ impl Noise {
     pub(crate) fn on(&self, ground: Ground) -> f32 {
         match ground {
             Ground::Disk => self.disk,
-            _ => self.room,
+            _ => self.still,
         }
     }
 
@@ -57,7 +57,7 @@ impl Noise {
     /// whose normal density is e^-FLAT where it is greatest have a standard deviation of 1.8 levels,
     /// FLAT = 3/2 ln 2π + 3 ln σ. Mixtures of the body's colours widen with noise by themselves. \[nats\]
     pub(crate) fn thinner(&self) -> f64 {
-        let whole = 1.5 * libm::log(std::f64::consts::TAU) + 3.0 * libm::log(f64::from(self.room));
+        let whole = 1.5 * libm::log(std::f64::consts::TAU) + 3.0 * libm::log(f64::from(self.still));
         (whole - f64::from(FLAT)).max(0.0)
     }
 
@@ -71,17 +71,17 @@ impl Noise {
     ) -> Self {
         let pixels = Spread::of(photo, expected, ground, 0);
         let around = Spread::of(photo, expected, ground, reach);
-        let room_or = pixels.colors[0].unwrap_or(4.0);
-        let [room, disk] =
-            [room_or, pixels.colors[1].unwrap_or(room_or)].map(|s| s.clamp(BELIEVED.0, BELIEVED.1));
+        let still_or = pixels.colors[0].unwrap_or(4.0);
+        let [still, disk] = [still_or, pixels.colors[1].unwrap_or(still_or)]
+            .map(|s| s.clamp(BELIEVED.0, BELIEVED.1));
         let at_most =
             |means: Option<f32>, single: f32| means.unwrap_or(f32::MAX).min(single / ALIKE);
         let light = around.light;
         Noise {
-            room,
+            still,
             disk,
             means: [
-                at_most(around.colors[0], room),
+                at_most(around.colors[0], still),
                 at_most(around.colors[1], disk),
             ],
             light: light.map_or(SHADED_LIGHT, |l| l.clamp(LEAST_LIGHT, SHADED_LIGHT)),
@@ -114,7 +114,7 @@ impl Spread {
             let (light, on) = (bright(p) / bright(e), ground(x, y));
             let of = &mut colors[usize::from(on == Ground::Disk)];
             (0..3).for_each(|c| of.add((p[c] - light * e[c]).abs()));
-            if on == Ground::Room {
+            if on == Ground::Wall {
                 lights.add((light - 1.0).abs());
             }
         }
@@ -208,9 +208,9 @@ mod tests {
         for sigma in [2.0, 9.0] {
             let mut photo = noisy(120.0, sigma, &mut dice);
             photo.data[..6400].fill([30, 200, 90]);
-            let noise = Noise::measure(&photo, &plate, &|_, _| Ground::Room, 1);
+            let noise = Noise::measure(&photo, &plate, &|_, _| Ground::Wall, 1);
             // A third of the differences are the subject's, so the quantile is somewhat high.
-            let times = f64::from(noise.room) / (sigma * f64::from(UNEVEN));
+            let times = f64::from(noise.still) / (sigma * f64::from(UNEVEN));
             assert!((1.0..1.8).contains(&times), "{noise:?}");
             // Nine pixels of three channels each.
             let light = f64::from(noise.light) / (sigma / 27f64.sqrt() / 123.0 * f64::from(UNEVEN));

@@ -75,7 +75,7 @@ impl Prepared {
             background: self.cost,
             person: self.person,
             known: self.known,
-            noise_levels: self.noise.room,
+            noise_levels: self.noise.still,
         }
     }
 }

@@ -37,7 +37,7 @@ impl Stage for Plate {
         let all: Vec<(PhotoId, &Photo)> = photos.iter().collect();
         let steps = ctx.steps("photos", all.len());
         let one = |(id, photo): &(PhotoId, &Photo)| {
-            let lies = format!(
+            let alignment = format!(
                 "{:?} {:?} {:?}",
                 aligned.of(*id),
                 aligned.camera(*id),
@@ -46,7 +46,7 @@ impl Stage for Plate {
             let depends = [
                 photo.content(),
                 plate.content(),
-                stage::hash(lies.as_bytes()),
+                stage::hash(alignment.as_bytes()),
             ];
             let alone = || {
                 let brought = aligned.of(*id).brought(photo.decode()?);

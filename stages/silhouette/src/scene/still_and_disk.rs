@@ -29,7 +29,7 @@ impl Shot {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scene {
     /// The still background as all photos show it.
-    pub room: Backdrop,
+    pub still: Backdrop,
     /// The map of the disk's top.
     pub disk: Backdrop,
     /// The disk's radius. \[mm\] 0 without one.
@@ -39,7 +39,7 @@ pub(crate) struct Scene {
 impl Scene {
     /// What one camera would see. Where nobody saw it, it is the photo itself, which is no evidence.
     pub(crate) fn behind(&self, photo: &Rgb, camera: &Camera) -> Backdrop {
-        let mut behind = self.room.clone();
+        let mut behind = self.still.clone();
         if self.radius > 0.0 {
             let Backdrop { image, seen } = &mut behind;
             let (map, known) = (&self.disk.image, &self.disk.seen);
@@ -56,7 +56,12 @@ impl Scene {
 
 /// Finds the scene from reduced photos; `covered` names the photos (first) and pixels (second) that
 /// cannot show it.
-pub(crate) fn scene(shots: &[Shot], room: Backdrop, radius: f64, covered: &[Image<bool>]) -> Scene {
+pub(crate) fn scene(
+    shots: &[Shot],
+    still: Backdrop,
+    radius: f64,
+    covered: &[Image<bool>],
+) -> Scene {
     let cameras: Vec<Camera> = shots.iter().map(|s| s.camera).collect();
     let side = full_side(&cameras, radius);
     let nowhere = Backdrop {
@@ -65,7 +70,7 @@ pub(crate) fn scene(shots: &[Shot], room: Backdrop, radius: f64, covered: &[Imag
     };
     if radius <= 0.0 {
         return Scene {
-            room,
+            still,
             disk: nowhere,
             radius,
         };
@@ -103,7 +108,7 @@ pub(crate) fn scene(shots: &[Shot], room: Backdrop, radius: f64, covered: &[Imag
         })
         .collect();
     Scene {
-        room,
+        still,
         disk: middle(&maps, &hidden),
         radius,
     }

@@ -2,6 +2,10 @@
 
 use crate::align::rectangle::Rectangle;
 use crate::cut::least_cut::Known;
+use crate::empty_scene::background_patches::background_patches;
+use crate::empty_scene::recurring::recurring;
+use crate::empty_scene::recurring_levels::Modes;
+use crate::empty_scene::scene_labelling::chosen;
 use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
@@ -13,10 +17,6 @@ use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
-use crate::room::background_patches::background_patches;
-use crate::room::recurring::recurring;
-use crate::room::recurring_levels::Modes;
-use crate::room::scene_labelling::chosen;
 use crate::scene::backdrop::{Backdrop, SHY, still, thinned};
 use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
@@ -58,7 +58,7 @@ pub fn without_plate(
 ) -> Cuts {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
-    let mut room = followed(&smalls, people, settings.gamma as f32);
+    let mut backdrop = followed(&smalls, people, settings.gamma as f32);
     let turn = Turn {
         shots,
         cameras,
@@ -67,22 +67,22 @@ pub fn without_plate(
         disk_side_mm,
         within,
         people,
-        stands: always(&smalls, &room),
+        always_bare: always(&smalls, &backdrop),
     };
-    let body = body_colors(shots, &room, radius);
+    let body = body_colors(shots, &backdrop, radius);
     if let Some(body) = &body {
-        glimpsed(&mut room, &smalls, body);
-        without_islands(&mut room.seen);
+        glimpsed(&mut backdrop, &smalls, body);
+        without_islands(&mut backdrop.seen);
     }
-    let mut covered = on_the_disk(shots, &room, body.as_ref(), radius);
+    let mut covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
     let mut cuts: Vec<Option<Image<bool>>> = Vec::new();
     let mut ready = Vec::new();
     for round in 0..ROUNDS {
         if round > 0 {
-            room = recurring(&smalls, Some(&covered), MIN_AGREEMENT).backdrop;
-            without_islands(&mut room.seen);
+            backdrop = recurring(&smalls, Some(&covered), MIN_AGREEMENT).backdrop;
+            without_islands(&mut backdrop.seen);
         }
-        ready = turn.ready(&room, &covered);
+        ready = turn.ready(&backdrop, &covered);
         cuts = turn.together(&mut ready);
         covered = cuts
             .iter()
@@ -103,17 +103,22 @@ pub fn without_plate(
 /// The background, followed from where all photos show it to where few do.
 fn followed(smalls: &[Rgb], people: &[Sense], gamma: f32) -> Backdrop {
     let modes = Modes::of(smalls);
-    let mut room = modes.room(&chosen(&modes, smalls, people, gamma));
-    without_islands(&mut room.seen);
-    room
+    let mut backdrop = modes.backdrop(&chosen(&modes, smalls, people, gamma));
+    without_islands(&mut backdrop.seen);
+    backdrop
 }
 
 /// Pixels that are background on all photos. What never changes may be the crown of a head, but then it is
 /// not the background that is followed there.
-fn always(smalls: &[Rgb], room: &Backdrop) -> Vec<bool> {
+fn always(smalls: &[Rgb], backdrop: &Backdrop) -> Vec<bool> {
     let still = still(smalls);
     let both = |(still, seen): (&Option<bool>, &bool)| *still == Some(true) && *seen;
-    still.data.iter().zip(&room.seen.data).map(both).collect()
+    still
+        .data
+        .iter()
+        .zip(&backdrop.seen.data)
+        .map(both)
+        .collect()
 }
 
 /// A turn whose photos are cut.
@@ -126,17 +131,17 @@ struct Turn<'a> {
     within: Option<(Rectangle, usize)>,
     /// Log-odds of the body by a person's sense, photo by photo; empty where nobody is seen.
     people: &'a [Sense],
-    /// Pixels that are the room on all photos.
-    stands: Vec<bool>,
+    /// Pixels that are the background on all photos.
+    always_bare: Vec<bool>,
 }
 
 impl Turn<'_> {
-    /// The photos made ready: what each pixel costs as room, as disk, or as a colour of the room beside.
-    fn ready(&self, room: &Backdrop, covered: &[Image<bool>]) -> Vec<Prepared> {
+    /// The photos made ready: what each pixel costs as background, as disk, or as a colour of the scene beside.
+    fn ready(&self, backdrop: &Backdrop, covered: &[Image<bool>]) -> Vec<Prepared> {
         let (shots, radius) = (self.shots, self.radius);
-        let around = scene(shots, room.clone(), radius, covered);
+        let around = scene(shots, backdrop.clone(), radius, covered);
         let of_disk = disk_colors(&around.disk, 0.0);
-        let nearby = Nearby::of(&around.room);
+        let nearby = Nearby::of(&around.still);
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
         for (ready, person) in ready.iter_mut().zip(self.people) {
             let size = [ready.small.width, ready.small.height];
@@ -167,8 +172,8 @@ impl Turn<'_> {
         if let Some((rectangle, factor)) = &self.within {
             rectangle.close(&mut ready.known, shot.small.width, *factor);
         }
-        for (known, stands) in ready.known.iter_mut().zip(&self.stands) {
-            if *stands {
+        for (known, always_bare) in ready.known.iter_mut().zip(&self.always_bare) {
+            if *always_bare {
                 *known = Known::Background;
             }
         }
@@ -229,14 +234,14 @@ impl Turn<'_> {
 
 /// Adds to the background what two photos suffice to show: that they have the same to the level, in a
 /// colour that the body has not.
-fn glimpsed(room: &mut Backdrop, smalls: &[Rgb], body: &Gmm) {
+fn glimpsed(backdrop: &mut Backdrop, smalls: &[Rgb], body: &Gmm) {
     let likely = |c: &[u8; 3]| body_cost(body, *c) < STRANGE;
     let hidden: Vec<Image<bool>> = smalls.par_iter().map(|s| s.map(likely)).collect();
     let more = recurring(smalls, Some(&hidden), MIN_AGREEMENT).backdrop;
-    for i in 0..room.seen.data.len() {
-        if !room.seen.data[i] && more.seen.data[i] {
-            room.seen.data[i] = true;
-            room.image.data[i] = more.image.data[i];
+    for i in 0..backdrop.seen.data.len() {
+        if !backdrop.seen.data[i] && more.seen.data[i] {
+            backdrop.seen.data[i] = true;
+            backdrop.image.data[i] = more.image.data[i];
         }
     }
 }

@@ -1,12 +1,12 @@
 //! The stage that finds the empty scene out of all photos of a turn, where no plate shows it.
 
 use crate::align::rectangle::Rectangle;
+use crate::empty_scene::doubtful_patches::doubtful;
+use crate::empty_scene::full_size::{Views, at_full_size, shots};
+use crate::empty_scene::rounds::{Cuts, standing, without_plate};
 use crate::label::color_cut::Settings;
 use crate::likelihood::person::Sense;
 use crate::params::{CutError, CutParams};
-use crate::room::doubtful_patches::doubtful;
-use crate::room::full_size::{Views, at_full_size, shots};
-use crate::room::rounds::{Cuts, standing, without_plate};
 use crate::scene::still_and_disk::Shot;
 use shape::{Aligned, Cameras, FoundBody, Image, InPhoto, People, Photo, PhotoId, Photos, Scene};
 use stage::{Ctx, Message, Stage, Stop, message};
@@ -20,7 +20,7 @@ stage::messages! {
 
 stage::params! {
     /// How the empty scene is found together with the body.
-    pub struct RoomParams {
+    pub struct EmptySceneParams {
         /// How photos are cut.
         #[group(flat)]
         cut: CutParams = CutParams::default(),
@@ -32,7 +32,7 @@ stage::params! {
 
 stage::inputs! {
     /// Photos of a turn.
-    pub struct RoomInput {
+    pub struct EmptySceneInput {
         /// The photos.
         photos: Arc<Photos>,
         /// How they are aligned with each other, with their cameras.
@@ -45,7 +45,7 @@ stage::inputs! {
 }
 
 /// `silhouette.room`: photos, aligned, scene → scene.
-pub struct Room;
+pub struct EmptyScene;
 
 /// Least share of the photos that must be still. \[%\]
 const MIN_STILL_PERCENT: f64 = 15.0;
@@ -53,16 +53,16 @@ const MIN_STILL_PERCENT: f64 = 15.0;
 /// A patch that nothing vouches for is named when it takes more of its mask than this. \[%\]
 const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
-impl Stage for Room {
+impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
     const VERSION: u32 = 4;
     const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: in rounds with the body's outlines on which the photos agree.";
-    type Params = RoomParams;
-    type Input = RoomInput;
+    type Params = EmptySceneParams;
+    type Input = EmptySceneInput;
     type Output = Scene;
     const METRICS: &'static [&'static str] = &["stands still"];
 
-    fn run(p: &RoomParams, input: RoomInput, ctx: &Ctx<'_>) -> Result<Scene, Stop> {
+    fn run(p: &EmptySceneParams, input: EmptySceneInput, ctx: &Ctx<'_>) -> Result<Scene, Stop> {
         if let Some(known) = input.known.as_ref().filter(|known| !known.is_unknown()) {
             return Ok(Scene::clone(known));
         }
@@ -78,9 +78,9 @@ impl Stage for Room {
             ctx.check().map_err(Stop::from)
         })?;
         ctx.check()?;
-        let stands = standing(&shots) * 100.0;
-        if stands < MIN_STILL_PERCENT {
-            let why = CutError::Moves(stands);
+        let still = standing(&shots) * 100.0;
+        if still < MIN_STILL_PERCENT {
+            let why = CutError::Moves(still);
             if !boxed {
                 return Err(why.into());
             }
@@ -89,7 +89,7 @@ impl Stage for Room {
         }
         let people = input.people.as_deref();
         let (scene, doubted) = found(p, photos, aligned, cameras, (&shots, people), ctx)?;
-        ctx.metric("stands still", stands, "%");
+        ctx.metric("stands still", still, "%");
         warnings(&doubted, photos)
             .into_iter()
             .for_each(|w| ctx.warn(w));
@@ -106,7 +106,7 @@ fn seen<'a>(photos: &'a Photos, cameras: &Cameras) -> Vec<(PhotoId, &'a Photo)> 
 
 /// The scene, and photos whose mask holds a patch that nothing vouches for.
 fn found(
-    p: &RoomParams,
+    p: &EmptySceneParams,
     photos: &Photos,
     aligned: &Aligned,
     cameras: &Cameras,

@@ -1,7 +1,7 @@
 //! The photos of a turn where they are aligned: reduced, for the rounds; then at full size, for the scene's colours.
 
 use crate::align::reduced::factor;
-use crate::room::means::Means;
+use crate::empty_scene::means::Means;
 use crate::scene::still_and_disk::{Shot, full_side};
 use rayon::prelude::*;
 use shape::{Aligned, Camera, Image, Photo, PhotoError, PhotoId, Rgb, Seen};

@@ -5,9 +5,9 @@
 //! neighbours differ in a photo, the body's outline runs between them there, and that costs, less
 //! where the photo has an edge. A plain shirt taken for background breaks off all around in every photo at once.
 
+use crate::empty_scene::message_passing::{CHOICES, Costs, Field, Pairs};
+use crate::empty_scene::recurring_levels::{MODES, Modes};
 use crate::likelihood::person::Sense;
-use crate::room::message_passing::{CHOICES, Costs, Field, Pairs};
-use crate::room::recurring_levels::{MODES, Modes};
 use rayon::prelude::*;
 use shape::Rgb;
 
@@ -212,7 +212,7 @@ fn seam(modes: &Modes, outline: &dyn Fn(usize) -> f32, [i, j]: [usize; 2]) -> Pa
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::room::recurring::recurring;
+    use crate::empty_scene::recurring::recurring;
 
     /// A body that swings to and fro before a wall and whose middle covers it always; its shade changes, but
     /// its chest is too bright to show any: the wall, the photos, and how many of them show the wall at
@@ -250,16 +250,16 @@ mod tests {
     fn a_plain_body_that_most_photos_show_alike_is_no_background_and_the_wall_that_few_show_is() {
         let (wall, photos, free) = turn();
         let modes = Modes::of(&photos);
-        let room = modes.room(&chosen(&modes, &photos, &[], 40.0));
-        let shows_wall = |room: &crate::Backdrop, x: usize| {
-            let off = |c: usize| room.image.at(x, 97)[c].abs_diff(wall.at(x, 97)[c]);
-            room.seen.at(x, 97) && (0..3).all(|c| off(c) <= 3)
+        let backdrop = modes.backdrop(&chosen(&modes, &photos, &[], 40.0));
+        let shows_wall = |backdrop: &crate::Backdrop, x: usize| {
+            let off = |c: usize| backdrop.image.at(x, 97)[c].abs_diff(wall.at(x, 97)[c]);
+            backdrop.seen.at(x, 97) && (0..3).all(|c| off(c) <= 3)
         };
         let wrong: Vec<usize> = (0..160)
             .filter(|x| match free[*x] {
-                0 => room.seen.at(*x, 97),
+                0 => backdrop.seen.at(*x, 97),
                 1 => false,
-                _ => !shows_wall(&room, *x),
+                _ => !shows_wall(&backdrop, *x),
             })
             .collect();
         assert!(wrong.is_empty(), "{wrong:?}");

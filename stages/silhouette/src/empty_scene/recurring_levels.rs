@@ -3,8 +3,8 @@
 //! Photos that show the background differ by noise alone. A plain part of a body may look alike in most photos,
 //! and the background show in few; so every level that recurs is kept, up to [`MODES`] a pixel.
 
-use crate::room::message_passing::CHOICES;
-use crate::room::recurring::{REACH, Unlike, contrast, differences, pairs};
+use crate::empty_scene::message_passing::CHOICES;
+use crate::empty_scene::recurring::{REACH, Unlike, contrast, differences, pairs};
 use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
@@ -47,9 +47,10 @@ impl Modes {
         let words = photos.len().div_ceil(64);
         let pairs = pairs(photos.len());
         let rough: Vec<Vec<f32>> = photos.par_iter().map(contrast).collect();
-        let held =
-            |(a, b): &(usize, usize)| held([&photos[*a], &photos[*b]], [&rough[*a], &rough[*b]]);
-        let agreement: Vec<Vec<Agreement>> = pairs.par_iter().map(held).collect();
+        let both = |(a, b): &(usize, usize)| {
+            compared([&photos[*a], &photos[*b]], [&rough[*a], &rough[*b]])
+        };
+        let agreement: Vec<Vec<Agreement>> = pairs.par_iter().map(both).collect();
         let mut partners = vec![vec![]; photos.len()];
         for (pair, (a, b)) in pairs.iter().enumerate() {
             partners[*a].push((*b, pair));
@@ -99,7 +100,7 @@ impl Modes {
     }
 
     /// The background, once it is known which mode of a pixel it is, if any.
-    pub(crate) fn room(&self, chosen: &[Option<usize>]) -> Backdrop {
+    pub(crate) fn backdrop(&self, chosen: &[Option<usize>]) -> Backdrop {
         let image = |data| Image {
             width: self.width,
             height: self.height,
@@ -144,7 +145,7 @@ fn written(
 
 /// Two photos compared pixel by pixel: a patch that holds the pixel is the same, and so
 /// is the pixel itself. Beside an outline that is a patch off to one side.
-fn held([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Agreement> {
+fn compared([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Agreement> {
     let far = differences(a, b);
     let steep = |i: usize| rough[0][i].min(rough[1][i]);
     let unlike = Unlike::of(&far, &|_| true, &steep);
@@ -230,18 +231,18 @@ impl Pixel<'_> {
             shows[*j] = self.same(*pair);
         }
         let agreement = |shows: &[bool], k: usize| {
-            let (mut same, mut other, mut held) = (0, 0, 0);
+            let (mut same, mut other, mut asked) = (0, 0, 0);
             for (_, pair) in self.partners[k].iter().filter(|(j, _)| shows[*j]) {
-                held += 1;
+                asked += 1;
                 match self.agreement[*pair][self.i] {
                     Agreement::Same => same += 1,
                     Agreement::Other => other += 1,
                     Agreement::Unsure => {}
                 }
             }
-            if 2 * same >= held && same > 2 * other {
+            if 2 * same >= asked && same > 2 * other {
                 Agreement::Same
-            } else if 2 * other > held {
+            } else if 2 * other > asked {
                 Agreement::Other
             } else {
                 Agreement::Unsure

@@ -4,8 +4,8 @@
 //! place. A picture on the wall does not move: where they show it at all, they show it in its place. Nor
 //! does the crown of a head, but that is in its place on all photos.
 
+use crate::empty_scene::doubtful_patches::Vouched;
 use crate::label::parts::parts;
-use crate::room::doubtful_patches::Vouched;
 use crate::scene::still_and_disk::Shot;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
@@ -50,8 +50,9 @@ pub(crate) fn background_patches(
         let data = (0..cut.data.len()).map(strange).collect();
         let body = cut.data.iter().filter(|b| **b).count();
         let least = ((body as f64 * MIN_PATCH_SHARE) as usize).max(1);
-        let others = near(shots, k).filter_map(|j| Some((&shots[j].small, cuts[j].as_ref()?)));
-        let others: Vec<(&Rgb, &Image<bool>)> = others.collect();
+        let other_photos =
+            near(shots, k).filter_map(|j| Some((&shots[j].small, cuts[j].as_ref()?)));
+        let other_photos: Vec<(&Rgb, &Image<bool>)> = other_photos.collect();
         let stays = |patch: &[usize]| {
             let stays = |i: &&usize| stays(shots, cuts, shot.small.data[**i], **i);
             2 * patch.iter().filter(stays).count() >= patch.len()
@@ -59,7 +60,7 @@ pub(crate) fn background_patches(
         patches(&Image { data, ..*cut })
             .into_iter()
             .filter(|patch| patch.len() >= least && !stays(patch))
-            .filter(|patch| !is_found(&shot.small, patch, &others))
+            .filter(|patch| !is_found(&shot.small, patch, &other_photos))
             .flatten()
             .collect()
     };
@@ -106,7 +107,7 @@ fn rare_by_row(shots: &[Shot], cuts: &[Option<Image<bool>>], vouched: &Vouched) 
         for (shot, cut) in shots.iter().zip(cuts) {
             let Some(cut) = cut else { continue };
             let row = y * width..(y + 1) * width;
-            row.filter(|i| vouched.before_room(cut, *i))
+            row.filter(|i| vouched.before_scene(cut, *i))
                 .for_each(|i| counts[bin(shot.small.data[i])] += 1);
         }
         counts
@@ -155,7 +156,7 @@ fn alike(a: [u8; 3], b: [u8; 3]) -> bool {
 }
 
 /// Whether other photos show most of a patch's colours on the body, near its height and beside its place.
-fn is_found(photo: &Rgb, patch: &[usize], others: &[(&Rgb, &Image<bool>)]) -> bool {
+fn is_found(photo: &Rgb, patch: &[usize], other_photos: &[(&Rgb, &Image<bool>)]) -> bool {
     let (width, height) = (photo.width, photo.height);
     let around = |v: usize, share: f64, end: usize| {
         let reach = (height as f64 * share).ceil() as usize;
@@ -176,7 +177,7 @@ fn is_found(photo: &Rgb, patch: &[usize], others: &[(&Rgb, &Image<bool>)]) -> bo
         let of_body = (top * width..bottom * width).filter(there);
         of_body.map(|i| photo.data[i]).collect()
     };
-    let beside: Vec<[u8; 3]> = others.iter().flat_map(beside).collect();
+    let beside: Vec<[u8; 3]> = other_photos.iter().flat_map(beside).collect();
     let enough = (patch.len() as f64 * MIN_FOUND_SHARE).ceil() as usize;
     let found = |i: &&usize| {
         let like = |c: &&[u8; 3]| alike(**c, photo.data[**i]);

@@ -60,7 +60,7 @@ impl Vouched {
     }
 
     /// Whether a pixel of a cut is before a background that some photo shows.
-    pub(crate) fn before_room(&self, cut: &Image<bool>, i: usize) -> bool {
+    pub(crate) fn before_scene(&self, cut: &Image<bool>, i: usize) -> bool {
         cut.data[i] && self.bare.data[i]
     }
 

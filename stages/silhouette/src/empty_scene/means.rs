@@ -7,7 +7,7 @@ use shape::{Camera, Image, Rgb, Seen};
 /// Means over the photos whose masks leave a pixel free.
 pub(crate) struct Means {
     width: usize,
-    room: Vec<([u16; 3], u8)>,
+    still: Vec<([u16; 3], u8)>,
     side: usize,
     disk: Vec<([u16; 3], u8)>,
     radius: f64,
@@ -19,7 +19,7 @@ impl Means {
         let side = if radius > 0.0 { side } else { 1 };
         Means {
             width,
-            room: vec![([0; 3], 0); width * height],
+            still: vec![([0; 3], 0); width * height],
             side,
             disk: vec![([0; 3], 0); side * side],
             radius,
@@ -44,7 +44,7 @@ impl Means {
             }
         };
         let width = self.width;
-        for (i, to) in self.room.iter_mut().enumerate() {
+        for (i, to) in self.still.iter_mut().enumerate() {
             if !hidden(i % width, i / width) {
                 put(to, photo.data[i]);
             }
@@ -88,6 +88,6 @@ impl Means {
             }
         };
         let disk = (self.radius > 0.0).then(|| settled(self.disk, self.side));
-        (settled(self.room, self.width), disk)
+        (settled(self.still, self.width), disk)
     }
 }
