@@ -69,6 +69,7 @@ mod label;
 mod likelihood;
 mod params;
 mod plate;
+mod raster;
 mod scene;
 mod walk;
 

@@ -4,8 +4,9 @@
 //! light: compared as they are, nothing in them is still.
 
 use crate::align::exposure::exposure_beyond;
+use crate::raster::raster;
 use rayon::prelude::*;
-use shape::{Alignment, Gray, Image, Placed, Rgb, Tones, register, registered};
+use shape::{Alignment, Gray, Placed, Rgb, Tones, register, registered};
 
 /// Photos of a turn are of the same exposure where ratios are off one by less than this.
 const SAME: f32 = 0.003;
@@ -59,11 +60,7 @@ fn middle(photos: &[Rgb], placed: &[Placed]) -> Rgb {
             values[values.len() / 2].round().clamp(0.0, 255.0) as u8
         })
     };
-    Image {
-        width: w,
-        height: h,
-        data: (0..w * h).into_par_iter().map(one).collect(),
-    }
+    raster(w, h, (0..w * h).into_par_iter().map(one).collect())
 }
 
 #[cfg(test)]

@@ -2,11 +2,12 @@
 
 use crate::border::soft_border::coverage;
 use crate::border::tiles::band;
-use crate::cut::least_cut::Known;
-use crate::label::by_colors::{ByColors, costs, window};
+use crate::cut::least_cut::{Known, Window};
+use crate::label::by_colors::{ByColors, costs};
 use crate::label::color_cut::{Settings, cut};
 use crate::label::parts::largest;
-use shape::{Image, Mask, Rgb};
+use crate::raster::raster;
+use shape::{Mask, Rgb};
 
 /// The mask at full size of what was parted at a reduced size, `factor` times smaller, where `known` is certain.
 pub(crate) fn fine_by_colors(
@@ -34,15 +35,11 @@ pub(crate) fn fine_by_colors(
     let fine = cut(
         photo,
         [&background, &[]],
-        &window(photo),
+        &Window::all(photo),
         own,
         settings,
         &settled,
     );
-    let fine = Image {
-        width: photo.width,
-        height: photo.height,
-        data: fine,
-    };
+    let fine = raster(photo.width, photo.height, fine);
     coverage(&largest(&fine, &|_| 0.0))
 }

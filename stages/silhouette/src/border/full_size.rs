@@ -10,6 +10,7 @@ use crate::likelihood::background::{Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
+use crate::raster::raster;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Mask, Rgb};
 use std::ops::Range;
@@ -96,11 +97,7 @@ impl Settled {
             (false, true) => Known::Body,
         };
         let (width, height) = (coarse.width, coarse.height);
-        let known = Image {
-            width,
-            height,
-            data: (0..coarse.data.len()).map(one).collect(),
-        };
+        let known = raster(width, height, (0..coarse.data.len()).map(one).collect());
         let mut near = Image::filled(width, height, false);
         for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
             if known.at(x, y) == Known::Unknown {

@@ -2,6 +2,7 @@
 
 use crate::likelihood::body::STRANGE;
 use crate::likelihood::person::reach;
+use crate::raster::as_mask;
 use rayon::prelude::*;
 use shape::{
     BodyPart, Evidence, Found, Image, Label, Labels, People, PhotoEvidence, PhotoId, Photos,
@@ -47,7 +48,7 @@ pub(crate) fn like_scene(
 fn depths(found: &Found, evidence: &PhotoEvidence, body: &Image<bool>) -> [f64; 5] {
     let factor = evidence.factor as usize;
     let wide = reach(found, factor);
-    let depth = signed_distance(&body.map(|b| if *b { 255 } else { 0 })).data;
+    let depth = signed_distance(&as_mask(body)).data;
     let on_photo = |v: usize| (v * factor) as f32 + (factor - 1) as f32 / 2.0;
     let (mut edge, mut alike) = ([0usize; 5], [0usize; 5]);
     for (i, odds) in evidence.log_odds(STRANGE as f32).enumerate() {
@@ -65,6 +66,7 @@ fn depths(found: &Found, evidence: &PhotoEvidence, body: &Image<bool>) -> [f64; 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::raster;
     use shape::{Crop, Joint, Known, Photo, Rgb};
 
     const SIDE: usize = 120;
@@ -116,11 +118,7 @@ mod tests {
     fn a_shirt_of_the_walls_colour_is_named_by_photo_and_part_and_no_other_is() {
         let body = |i: usize| (45..75).contains(&(i % SIDE)) && (20..115).contains(&(i / SIDE));
         let label = Label {
-            body: Image {
-                width: SIDE,
-                height: SIDE,
-                data: (0..SIDE * SIDE).map(body).collect(),
-            },
+            body: raster(SIDE, SIDE, (0..SIDE * SIDE).map(body).collect()),
             known: vec![Known::Unknown; SIDE * SIDE],
             body_colors: vec![],
             background_colors: vec![],

@@ -164,6 +164,7 @@ fn borders(sides: &Image<bool>) -> Vec<usize> {
 mod tests {
     use super::*;
     use crate::likelihood::background::Noise;
+    use crate::raster::raster;
 
     const SIDE: usize = 80;
 
@@ -198,11 +199,7 @@ mod tests {
             reach: 2,
         };
         let open = |i: usize| i / SIDE >= 28 && gap(i % SIDE, i / SIDE);
-        let mut sides = Image {
-            width: SIDE,
-            height: SIDE,
-            data: (0..SIDE * SIDE).map(|i| !open(i)).collect(),
-        };
+        let mut sides = raster(SIDE, SIDE, (0..SIDE * SIDE).map(|i| !open(i)).collect());
         follow(&mut sides, &likeness, &without, &body);
         let count = |of: &dyn Fn(usize) -> bool| (0..SIDE * SIDE).filter(|i| of(*i)).count();
         let top = |i: usize| i / SIDE < 28 && gap(i % SIDE, i / SIDE);

@@ -5,6 +5,7 @@
 //! follows. Where F and B are alike, the cut's own border is smoothed instead.
 
 use crate::likelihood::background::Noise;
+use crate::raster::as_mask;
 use shape::{Image, Mask, Rgb};
 
 /// Half the side of the neighbourhood in which the body's colour is sought. \[px\]
@@ -128,7 +129,7 @@ pub(crate) fn coverage(sides: &Image<bool>) -> Mask {
 /// The same where it is known which pixels are near the border: beyond, all nine are of one side.
 fn smoothed(sides: &Image<bool>, near: &Image<bool>) -> Mask {
     let (w, h) = (sides.width, sides.height);
-    let mut mask: Mask = sides.map(|body| if *body { 255 } else { 0 });
+    let mut mask = as_mask(sides);
     for y in 0..h {
         for x in along(near, y) {
             let (mut sum, mut weight) = (0u32, 0u32);

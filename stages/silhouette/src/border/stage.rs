@@ -12,6 +12,7 @@ use crate::likelihood::behind::Behind;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
 use crate::params::CutError;
+use crate::raster::as_mask;
 use rayon::prelude::*;
 use shape::{
     Aligned, Evidence, Label, Labels, Mask, Masks, People, Photo, PhotoEvidence, PhotoId, Photos,
@@ -189,7 +190,7 @@ fn agreement(input: &BorderInput) -> Agreement {
     let Some(cameras) = known.and_then(|aligned| aligned_alike(aligned)) else {
         return Agreement::default();
     };
-    let mask = |(id, label): (PhotoId, &Label)| (id, label.body.map(|b| if *b { 255 } else { 0 }));
+    let mask = |(id, label): (PhotoId, &Label)| (id, as_mask(&label.body));
     let masks: Vec<(PhotoId, Mask)> = input.labels.views.iter().map(mask).collect();
     Agreement::of(&masks, &cameras)
 }

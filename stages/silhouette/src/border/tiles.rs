@@ -1,6 +1,7 @@
 //! Squares of coarse pixels in which the border is.
 
 use crate::cut::least_cut::Window;
+use crate::raster::raster;
 use shape::Image;
 use std::ops::Range;
 
@@ -31,6 +32,7 @@ impl Tile {
 
 /// The tiles of 16 pixels in which some of the band is, row by row.
 pub(crate) fn tiles(band: &Image<bool>) -> Vec<Tile> {
+    /// How much memory a cut takes (structural).
     const SIDE: usize = 16;
     let along = |most: usize| {
         let starts = (0..most).step_by(SIDE);
@@ -47,11 +49,7 @@ pub(crate) fn tiles(band: &Image<bool>) -> Vec<Tile> {
 /// Coarse pixels within two of the border.
 pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
     let (w, h) = (sides.width as i32, sides.height as i32);
-    let mut band = Image {
-        width: sides.width,
-        height: sides.height,
-        data: vec![false; sides.data.len()],
-    };
+    let mut band = raster(sides.width, sides.height, vec![false; sides.data.len()]);
     for y in 0..h {
         for x in 0..w {
             let here = sides.at(x as usize, y as usize);

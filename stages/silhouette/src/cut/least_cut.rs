@@ -5,7 +5,7 @@ use crate::cut::maxflow::{Grid, STEPS};
 pub use shape::Known;
 use shape::Rgb;
 
-/// Costs are multiplied by this and rounded, so that flows are whole numbers.
+/// Costs are multiplied by this and rounded, so that flows are whole numbers (structural).
 pub(crate) const UNIT: f64 = 64.0;
 /// Contrast beyond which an edge is not any cheaper.
 const MOST: f64 = 12.0;
@@ -22,6 +22,18 @@ pub(crate) struct Window {
     pub width: usize,
     /// Rows.
     pub height: usize,
+}
+
+impl Window {
+    /// All of an image.
+    pub(crate) fn all(image: &Rgb) -> Self {
+        Window {
+            x: 0,
+            y: 0,
+            width: image.width,
+            height: image.height,
+        }
+    }
 }
 
 /// What a cut goes by. Pixels are named by their place in the photo (`i`) or in the window (`here`).

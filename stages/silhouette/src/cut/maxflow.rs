@@ -9,7 +9,7 @@ mod adopt;
 
 use std::collections::VecDeque;
 
-/// The eight neighbours; the opposite of `d` is `7 - d`.
+/// The eight neighbours (structural); the opposite of `d` is `7 - d`.
 pub const STEPS: [(i32, i32); 8] = [
     (-1, -1),
     (0, -1),
@@ -21,11 +21,17 @@ pub const STEPS: [(i32, i32); 8] = [
     (1, 1),
 ];
 
+/// Of no tree (structural).
 const FREE: u8 = 0;
+/// Of the source's tree (structural).
 const SOURCE: u8 = 1;
+/// Of the sink's tree (structural).
 const SINK: u8 = 2;
+/// A parent that is source or sink itself: beyond the eight neighbours (structural).
 const TERMINAL: u8 = 8;
+/// A parent that was cut off (structural).
 const ORPHAN: u8 = 9;
+/// No parent (structural).
 const NOBODY: u8 = 10;
 
 /// A grid on its way to its least cut.

@@ -28,6 +28,7 @@ const STAYS_SHARE: f64 = 0.35;
 const RARE_SHARE: f64 = 0.001;
 /// Levels of a bin of colours, and bins along a channel.
 const BIN: usize = 16;
+/// (derived.)
 const BINS: usize = 256 / BIN;
 
 /// Pixels of each cut that are none of the body. `radius` is the disk's, 0 without one: its top is left out.
@@ -189,6 +190,7 @@ fn is_found(photo: &Rgb, patch: &[usize], other_photos: &[(&Rgb, &Image<bool>)])
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::raster;
     use nalgebra::{Matrix3, Rotation3, Vector3};
     use shape::{Camera, Intrinsics, PhotoId, Pose};
 
@@ -218,11 +220,7 @@ mod tests {
                 })
             };
             let (width, height) = SIZE;
-            let small = Image {
-                width,
-                height,
-                data: (0..width * height).map(shown).collect(),
-            };
+            let small = raster(width, height, (0..width * height).map(shown).collect());
             let cut = small.map(|_| true);
             let cut = Image {
                 data: (0..cut.data.len()).map(covered).collect(),

@@ -78,6 +78,7 @@ impl Vouched {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::raster;
     use nalgebra::{Rotation3, Vector3};
     use shape::{Camera, Intrinsics, PhotoId, Pose, Rgb};
 
@@ -114,11 +115,7 @@ mod tests {
         let shots: Vec<Shot> = (0..3).map(&mut shot).collect();
         let cut = |from: usize, to: usize| {
             let data = (0..60 * 80).map(|i| (from..to).contains(&(i % 60)));
-            Some(Image {
-                width: 60,
-                height: 80,
-                data: data.collect(),
-            })
+            Some(raster(60, 80, data.collect()))
         };
         let cuts = [cut(10, 50), cut(10, 50), cut(20, 38)];
         let reported = doubtful(&shots, &cuts, 0.0);

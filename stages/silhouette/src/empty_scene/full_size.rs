@@ -6,7 +6,7 @@ use crate::scene::still_and_disk::{Shot, full_side};
 use rayon::prelude::*;
 use shape::{Aligned, Camera, Image, Photo, PhotoError, PhotoId, Rgb, Seen};
 
-/// Photos that are decoded side by side while means are taken.
+/// Photos that are decoded side by side while means are taken (structural: memory).
 const AT_ONCE: usize = 4;
 
 /// Photos, reduced, at one place and one exposure. `check` fails when the user asked to stop.

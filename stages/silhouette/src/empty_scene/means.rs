@@ -1,5 +1,6 @@
 //! The empty scene at full size, a photo at a time, so that memory holds a few of them only.
 
+use crate::raster::raster;
 use crate::scene::backdrop::{SHY, thinned};
 use crate::scene::disk_map::{laid_out, point};
 use shape::{Camera, Image, Rgb, Seen};
@@ -75,16 +76,8 @@ impl Means {
                 sum.map(|s| ((s + half) / u16::from(*n).max(1)) as u8)
             };
             Seen {
-                image: Rgb {
-                    width,
-                    height,
-                    data: sums.iter().map(mean).collect(),
-                },
-                shown_by: Image {
-                    width,
-                    height,
-                    data: sums.iter().map(|s| s.1).collect(),
-                },
+                image: raster(width, height, sums.iter().map(mean).collect()),
+                shown_by: raster(width, height, sums.iter().map(|s| s.1).collect()),
             }
         };
         let disk = (self.radius > 0.0).then(|| settled(self.disk, self.side));

@@ -5,6 +5,8 @@
 //! changes. So patches are compared pair by pair, and the photos that agree with most of
 //! the rest show the background.
 
+use crate::likelihood::neighbourhoods::Sums;
+use crate::raster::raster;
 use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
@@ -39,37 +41,6 @@ pub struct Recurring {
     pub agrees: Vec<Image<bool>>,
 }
 
-/// Sums over all pixels left of and above; differences of them are right though they wrap around.
-struct Sums {
-    width: usize,
-    data: Vec<u32>,
-}
-
-impl Sums {
-    fn of(width: usize, height: usize, value: impl Fn(usize) -> u32) -> Self {
-        let wide = width + 1;
-        let mut data = vec![0u32; wide * (height + 1)];
-        for y in 0..height {
-            let mut row = 0u32;
-            for x in 0..width {
-                row = row.wrapping_add(value(y * width + x));
-                data[(y + 1) * wide + x + 1] = data[y * wide + x + 1].wrapping_add(row);
-            }
-        }
-        Sums { width, data }
-    }
-
-    /// Sum over the patch around a pixel, cut off at the border.
-    fn around(&self, x: usize, y: usize) -> u32 {
-        let (wide, tall) = (self.width + 1, self.data.len() / (self.width + 1));
-        let (x0, x1) = (x.saturating_sub(REACH), (x + REACH + 1).min(wide - 1));
-        let (y0, y1) = (y.saturating_sub(REACH), (y + REACH + 1).min(tall - 1));
-        let at = |x: usize, y: usize| self.data[y * wide + x];
-        let plus = at(x1, y1).wrapping_add(at(x0, y0));
-        plus.wrapping_sub(at(x1, y0)).wrapping_sub(at(x0, y1))
-    }
-}
-
 /// Mean squared difference of the patches of two photos around each pixel, per channel. \[levels²\]
 pub(crate) fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
     let (w, h) = (a.width, a.height);
@@ -77,12 +48,11 @@ pub(crate) fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
         let off = |c: usize| u32::from(a.data[i][c].abs_diff(b.data[i][c]));
         (0..3).map(|c| off(c) * off(c)).sum()
     };
-    let count = |x: usize, y: usize| {
-        let along = |v: usize, n: usize| (v + REACH + 1).min(n) - v.saturating_sub(REACH);
-        (along(x, w) * along(y, h) * 3) as f32
-    };
     let sums = Sums::of(w, h, squared);
-    let one = |i: usize| sums.around(i % w, i / w) as f32 / count(i % w, i / w);
+    let one = |i: usize| {
+        let (sum, count) = sums.around(i, REACH);
+        sum as f32 / (count * 3) as f32
+    };
     (0..w * h).map(one).collect()
 }
 
@@ -101,7 +71,7 @@ pub(crate) fn contrast(photo: &Rgb) -> Vec<f32> {
     let sums = Sums::of(w, h, steep);
     let area = ((2 * REACH + 1) * (2 * REACH + 1) * 3) as f32;
     (0..w * h)
-        .map(|i| sums.around(i % w, i / w) as f32 / area)
+        .map(|i| sums.around(i, REACH).0 as f32 / area)
         .collect()
 }
 
@@ -172,11 +142,7 @@ pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> 
             row.map(|i| pairwise.common(photos, i, least)).collect()
         })
         .collect();
-    let image = |data| Image {
-        width: w,
-        height: h,
-        data,
-    };
+    let image = |data| raster(w, h, data);
     let mut agrees = vec![image(vec![false; w * h]); photos.len()];
     let mut seen = image(vec![false; w * h]);
     let mut shown = Rgb::filled(w, h, [0; 3]);

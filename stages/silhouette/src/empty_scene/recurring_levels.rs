@@ -5,11 +5,13 @@
 
 use crate::empty_scene::message_passing::CHOICES;
 use crate::empty_scene::recurring::{REACH, Unlike, contrast, differences, pairs};
+use crate::likelihood::neighbourhoods::least_around;
+use crate::raster::raster;
 use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
-use shape::{Image, Rgb};
+use shape::Rgb;
 
-/// Levels that are kept of a pixel; that none is the background is a choice, too.
+/// Levels that are kept of a pixel; that none is the background is a choice, too (derived).
 pub(crate) const MODES: usize = CHOICES - 1;
 /// What differs by so many times more than the same may is something else.
 const APART: f32 = 3.0;
@@ -101,21 +103,13 @@ impl Modes {
 
     /// The background, once it is known which mode of a pixel it is, if any.
     pub(crate) fn backdrop(&self, chosen: &[Option<usize>]) -> Backdrop {
-        let image = |data| Image {
-            width: self.width,
-            height: self.height,
-            data,
-        };
+        let image = |data| raster(self.width, self.height, data);
         let pairs = self.colors.iter().zip(chosen);
         let color = |(colors, mode): (&[[u8; 3]; MODES], &Option<usize>)| {
             mode.map_or([0; 3], |m| colors[m])
         };
         Backdrop {
-            image: Image {
-                width: self.width,
-                height: self.height,
-                data: pairs.map(color).collect(),
-            },
+            image: raster(self.width, self.height, pairs.map(color).collect()),
             seen: image(chosen.iter().map(Option::is_some).collect()),
         }
     }
@@ -152,7 +146,7 @@ fn compared([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Agreement> {
     let share: Vec<f32> = (0..far.len())
         .map(|i| far[i] / unlike.most(steep(i)))
         .collect();
-    let patch = least_around(&share, a.width);
+    let patch = least_around(&share, a.width, REACH);
     let one = |i: usize| {
         let off = |c: usize| f32::from(a.data[i][c].abs_diff(b.data[i][c]));
         let single = (0..3).map(|c| off(c) * off(c)).sum::<f32>() / 3.0;
@@ -164,19 +158,6 @@ fn compared([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Agreement> {
         }
     };
     (0..far.len()).map(one).collect()
-}
-
-/// The least value of the patches that hold a pixel, along rows and then columns.
-fn least_around(values: &[f32], wide: usize) -> Vec<f32> {
-    let tall = values.len() / wide.max(1);
-    let around = |at: usize, end: usize| at.saturating_sub(REACH)..(at + REACH + 1).min(end);
-    let least = |values: &mut dyn Iterator<Item = f32>| values.fold(f32::MAX, f32::min);
-    let rows: Vec<f32> = (0..values.len())
-        .map(|i| least(&mut around(i % wide, wide).map(|x| values[i / wide * wide + x])))
-        .collect();
-    (0..values.len())
-        .map(|i| least(&mut around(i / wide, tall).map(|y| rows[y * wide + i % wide])))
-        .collect()
 }
 
 /// What all pairs of photos show of a pixel.

@@ -10,6 +10,8 @@ use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
 use crate::label::parts::parts;
+use crate::raster::as_mask;
+
 use crate::likelihood::body::{STRANGE, body_cost, evident};
 use crate::likelihood::colors_beside::Nearby;
 use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, on_the_disk};
@@ -225,9 +227,8 @@ impl Turn<'_> {
     }
 
     fn masks(&self, cuts: &[Option<Image<bool>>]) -> Vec<(PhotoId, Mask)> {
-        let mask = |sides: &Image<bool>| sides.map(|b| if *b { 255 } else { 0 });
         let all = self.shots.iter().zip(cuts);
-        all.filter_map(|(shot, cut)| Some((shot.id, mask(cut.as_ref()?))))
+        all.filter_map(|(shot, cut)| Some((shot.id, as_mask(cut.as_ref()?))))
             .collect()
     }
 }

@@ -29,7 +29,7 @@ const TEXTURED: f32 = 0.03;
 const FEW: f32 = 0.34;
 /// Squared contrast of such patches. \[levels²\]
 const ROUGH: f32 = 200.0;
-/// What cannot be.
+/// What cannot be (structural).
 const NEVER: f32 = 1e5;
 /// So near to a photo's border, as a share of its height, what so large a share of the photos shows is background.
 const MARGIN: f64 = 0.01;
@@ -128,7 +128,7 @@ fn with_people(modes: &Modes, i: usize, people: &[Sense], gamma: f32, costs: &mu
     }
 }
 
-/// Squared differences that share a weight. \[levels²\]
+/// Squared differences that share a weight (structural). \[levels²\]
 const STEP: usize = 4;
 
 /// What an outline between two neighbours costs in a photo.

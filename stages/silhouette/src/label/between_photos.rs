@@ -18,6 +18,7 @@ use crate::label::squares::Squares;
 use crate::likelihood::body::{ANY_COLOR, EVIDENT};
 use crate::likelihood::person::SURE;
 use crate::likelihood::prepared::Prepared;
+use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Cameras, Mask, PhotoId, signed_distance};
 use stage::Hash;
@@ -113,14 +114,14 @@ impl Prepared {
 fn classes(view: &View<'_>, all: &Together<'_>) -> Vec<usize> {
     let (_, mask, camera) = view;
     let passes = passes(view, opposite(view, &all.views), &all.block, &all.against);
-    let hull = Mask {
-        width: mask.width,
-        height: mask.height,
-        data: passes
+    let hull = raster(
+        mask.width,
+        mask.height,
+        passes
             .iter()
             .map(|p| if *p > 0 { 255 } else { 0 })
             .collect(),
-    };
+    );
     let middle = camera.project_with_depth(&all.block.centre(all.against.len() / 2));
     let away = middle.map_or(f64::MAX, |(_, depth)| depth);
     let cell_px = all.block.cell * camera.lens.focal[0] / away;

@@ -4,6 +4,7 @@ use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
 use crate::label::parts::largest;
 use crate::likelihood::gmm::Gmm;
+use crate::raster::raster;
 use shape::{Image, Rgb};
 
 /// Share of the pixels that the colours of the background and of the body are learnt from.
@@ -24,16 +25,6 @@ pub(crate) fn costs(image: &Rgb, of: &Gmm) -> Vec<f32> {
     image.data.iter().map(|c| of.cost(*c) as f32).collect()
 }
 
-/// All of an image.
-pub(crate) fn window(image: &Rgb) -> Window {
-    Window {
-        x: 0,
-        y: 0,
-        width: image.width,
-        height: image.height,
-    }
-}
-
 /// The subject by colours alone: those that are known to be background's; elsewhere, what
 /// they explain worse than the rest does is body, and both learn from the cut in turns. `None` where
 /// nothing is explained worse.
@@ -49,17 +40,18 @@ pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Op
         let ground = Gmm::fit(&colors(&body, false), settings.clusters)?;
         let own = Gmm::fit(&colors(&body, true), settings.clusters)?;
         let costs = costs(small, &ground);
-        body = cut(small, [&costs, &[]], &window(small), &own, settings, &|i| {
-            known[i]
-        });
+        body = cut(
+            small,
+            [&costs, &[]],
+            &Window::all(small),
+            &own,
+            settings,
+            &|i| known[i],
+        );
         learnt = Some((ground, own));
     }
     let (ground, own) = learnt?;
-    let sides = Image {
-        width: small.width,
-        height: small.height,
-        data: body,
-    };
+    let sides = raster(small.width, small.height, body);
     // No hole is filled for its colours: they are all that is known.
     let sides = largest(&sides, &|_| 0.0);
     sides

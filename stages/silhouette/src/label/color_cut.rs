@@ -8,6 +8,7 @@ use crate::likelihood::gmm::Gmm;
 use crate::likelihood::person::{SURE, with_person};
 use crate::likelihood::prepared::Prepared;
 use crate::params::CutParams;
+use crate::raster::raster;
 use shape::{Image, Rgb};
 
 /// How to cut.
@@ -68,12 +69,7 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
     let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
     let cost = |cost: &f32| ready.foreseen_or_not(*cost);
     let background: Vec<f32> = ready.cost.iter().map(cost).collect();
-    let window = Window {
-        x: 0,
-        y: 0,
-        width: photo.width,
-        height: photo.height,
-    };
+    let window = Window::all(photo);
     let mut gmm = None;
     for _ in 0..settings.rounds.max(1) {
         let own = body.iter().zip(&photo.data).filter(|(b, _)| **b);
@@ -83,11 +79,7 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
         body = cut(photo, costs, &window, &fitted, &settings, &|i| known[i]);
         gmm = Some(fitted);
     }
-    let sides = Image {
-        width: photo.width,
-        height: photo.height,
-        data: body,
-    };
+    let sides = raster(photo.width, photo.height, body);
     Some((largest(&sides, &|i| ready.of_hole(i)), gmm?))
 }
 

@@ -8,7 +8,7 @@ use shape::{Camera, Cameras, Mask, PhotoId};
 const CELLS: f64 = 210.0;
 /// Photos that may dissent: one is the photo in question, one more may be wrong.
 pub(crate) const DISSENT: usize = 2;
-/// Cells around all that is shown.
+/// Cells around all that is shown (structural).
 const MARGIN: f64 = 4.0;
 
 /// A block of cells, x fastest.

@@ -148,6 +148,7 @@ pub(crate) fn parts(sides: &Image<bool>, of: bool) -> (Image<u32>, Vec<usize>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::raster;
 
     /// The same by setting out from pixel to pixel.
     fn flooded(sides: &Image<bool>, of: bool) -> (Vec<u32>, Vec<usize>) {
@@ -180,11 +181,7 @@ mod tests {
         let mut dice = proof::Dice(9);
         for (width, height, share) in [(37, 23, 0.6), (50, 40, 0.55), (1, 9, 0.5), (8, 1, 0.5)] {
             let data = (0..width * height).map(|_| dice.within(0.0, 1.0) < share);
-            let sides = Image {
-                width,
-                height,
-                data: data.collect(),
-            };
+            let sides = raster(width, height, data.collect());
             for of in [false, true] {
                 let (parts, sizes) = parts(&sides, of);
                 assert_eq!((parts.data, sizes), flooded(&sides, of));

@@ -7,6 +7,7 @@ use crate::label::color_cut::{Settings, coarse};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
 use crate::params::{CutError, CutParams};
+use crate::raster::as_mask;
 use rayon::prelude::*;
 use shape::{
     Aligned, Evidence, FoundBody, Image, Label as Labelled, Labels, Mask, Masks, PhotoEvidence,
@@ -75,7 +76,7 @@ impl Stage for Label {
             let cut = || {
                 let ready = Prepared::of(evidence, None);
                 let (sides, _) = checked(coarse(&ready, &settings), &name(*id))?;
-                Ok(one_mask(sides.map(|b| if *b { 255 } else { 0 })))
+                Ok(one_mask(as_mask(&sides)))
             };
             let masks: Masks = ctx.part("alone", &[*content], cut)?;
             steps.tick()?;
@@ -90,7 +91,7 @@ impl Stage for Label {
             let again = |((id, evidence), _): &(&(PhotoId, PhotoEvidence), stage::Hash)| {
                 let label = with_all(*id, evidence, &agreement, &settings, &name(*id))?;
                 steps.tick()?;
-                Ok((*id, label.body.map(|b| if *b { 255 } else { 0 })))
+                Ok((*id, as_mask(&label.body)))
             };
             let second: Vec<_> = jobs.par_iter().map(again).collect::<Result<_, Stop>>()?;
             agreement = Agreement::of(&second, cameras);

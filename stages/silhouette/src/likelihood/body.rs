@@ -2,13 +2,14 @@
 
 use crate::cut::least_cut::Known;
 use crate::likelihood::gmm::Gmm;
+use crate::raster::raster;
 use shape::Image;
 
-/// -ln of an even density over all colours: anything can be body.
+/// -ln of an even density over all colours, derived: 3 ln 256. Anything can be body.
 pub(crate) const ANY_COLOR: f64 = 16.6;
 /// A pixel that costs the background more than this is evidently body.
 pub(crate) const EVIDENT: f32 = 22.0;
-/// What the body costs where its mixture tells nothing: a colour that it has not.
+/// What the body costs where its mixture tells nothing: a colour that it has not (derived: one time in three, -ln 0.3 more).
 pub(crate) const STRANGE: f64 = ANY_COLOR + 1.2;
 
 /// -ln p(colour | body): of its mixture or, one time in three, of any colour.
@@ -20,9 +21,5 @@ pub(crate) fn body_cost(body: &Gmm, color: [u8; 3]) -> f64 {
 pub(crate) fn evident(cost: &[f32], known: &[Known], [width, height]: [usize; 2]) -> Image<bool> {
     let both = cost.iter().zip(known);
     let data = both.map(|(cost, known)| *cost > EVIDENT && *known == Known::Unknown);
-    Image {
-        width,
-        height,
-        data: data.collect(),
-    }
+    raster(width, height, data.collect())
 }

@@ -15,9 +15,9 @@ pub enum Ground {
     Disk,
 }
 
-/// Side of the blocks of a photo, in most of which the ground is the same. \[px\]
+/// Side of the blocks of a photo, in most of which the ground is the same (structural: it decides time alone). \[px\]
 const SIDE: usize = 8;
-/// Points of the disk's outline: fewer pixels apart than a block is wide.
+/// Points of the disk's outline: fewer pixels apart than a block is wide (structural).
 const OUTLINE: usize = 720;
 
 /// The ground of each pixel of a photo.

@@ -1,4 +1,4 @@
-//! What is around each pixel of a rectangle: means, and the least of all.
+//! What is around each pixel of a rectangle: sums, means, and the least of all.
 
 use shape::Rgb;
 
@@ -50,4 +50,36 @@ pub(crate) fn least_around(values: &[f32], wide: usize, reach: usize) -> Vec<f32
     (0..values.len())
         .map(|at| along(&rows, wide, tall, at, at / wide))
         .collect()
+}
+
+/// Sums over all pixels left of and above; differences of them are right though they wrap around.
+pub(crate) struct Sums {
+    width: usize,
+    data: Vec<u32>,
+}
+
+impl Sums {
+    pub(crate) fn of(width: usize, height: usize, value: impl Fn(usize) -> u32) -> Self {
+        let wide = width + 1;
+        let mut data = vec![0u32; wide * (height + 1)];
+        for y in 0..height {
+            let mut row = 0u32;
+            for x in 0..width {
+                row = row.wrapping_add(value(y * width + x));
+                data[(y + 1) * wide + x + 1] = data[y * wide + x + 1].wrapping_add(row);
+            }
+        }
+        Sums { width, data }
+    }
+
+    /// Sum over the patch around a pixel, cut off at the border, and of how many pixels it is.
+    pub(crate) fn around(&self, i: usize, reach: usize) -> (u32, usize) {
+        let (wide, tall) = (self.width, self.data.len() / (self.width + 1) - 1);
+        let ends = |v: usize, most: usize| (v.saturating_sub(reach), (v + reach + 1).min(most));
+        let ((x0, x1), (y0, y1)) = (ends(i % wide, wide), ends(i / wide, tall));
+        let at = |x: usize, y: usize| self.data[y * (wide + 1) + x];
+        let plus = at(x1, y1).wrapping_add(at(x0, y0));
+        let sum = plus.wrapping_sub(at(x1, y0)).wrapping_sub(at(x0, y1));
+        (sum, (x1 - x0) * (y1 - y0))
+    }
 }

@@ -10,7 +10,7 @@ pub(crate) const FLAT: f32 = 4.5;
 const BELIEVED: (f32, f32) = (1.0, 40.0);
 /// Some neighbourhoods are noisier than the median, whose deviation is taken so much larger.
 const UNEVEN: f32 = 1.3;
-/// Least spread of a neighbourhood's light: half a level of a middle grey.
+/// Least spread of a neighbourhood's light: half a level of a middle grey (derived).
 const LEAST_LIGHT: f32 = 0.5 / 128.0;
 /// Spread of the background's light where the subject changes it, and where nothing is known of it. Set by hand, for all
 /// of the light before it was measured.

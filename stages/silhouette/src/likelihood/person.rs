@@ -1,5 +1,6 @@
 //! A learned sense of a person as evidence: how likely each pixel is body, by a network that saw other people.
 
+use crate::likelihood::neighbourhoods::Sums;
 use nalgebra::Point2;
 use shape::{Found, Image, People, PhotoId};
 
@@ -7,7 +8,7 @@ use shape::{Found, Image, People, PhotoId};
 /// `models/person/calibrate.py` (logistic; Platt 1999). \[nats, and nats a nat\]
 const CALIBRATED: [f32; 2] = [-1.31, 0.76];
 
-/// From these log-odds on a pixel counts as body while the body's colours are not known yet: 19 to 1.
+/// From these log-odds on a pixel counts as body while the body's colours are not known yet: 19 to 1 (derived: ln 19).
 pub(crate) const SURE: f32 = 2.94;
 
 /// A person's sense of one reduced photo.
@@ -43,30 +44,11 @@ impl Sense {
     /// right as far as it can see. What speaks for the body counts the less, the more of the pixels within reach
     /// evidently show it, and nothing where half of them do.
     pub(crate) fn beyond(&self, evident: &Image<bool>) -> Vec<f32> {
-        let (width, height) = (evident.width, evident.height);
-        let mut sums = vec![0u32; (width + 1) * (height + 1)];
-        for y in 0..height {
-            for x in 0..width {
-                let here = u32::from(evident.at(x, y));
-                let [up, left, corner] = [
-                    y * (width + 1) + x + 1,
-                    (y + 1) * (width + 1) + x,
-                    y * (width + 1) + x,
-                ];
-                sums[(y + 1) * (width + 1) + x + 1] = here + sums[up] + sums[left] - sums[corner];
-            }
-        }
+        let shows = |i: usize| u32::from(evident.data[i]);
+        let sums = Sums::of(evident.width, evident.height, shows);
         let left_of = |(i, odds): (usize, &f32)| {
-            let ends = |at: usize, most: usize| {
-                (
-                    at.saturating_sub(self.reach),
-                    (at + self.reach + 1).min(most),
-                )
-            };
-            let ((x0, x1), (y0, y1)) = (ends(i % width, width), ends(i / width, height));
-            let at = |x: usize, y: usize| sums[y * (width + 1) + x];
-            let shown = at(x1, y1) + at(x0, y0) - at(x0, y1) - at(x1, y0);
-            let share = shown as f32 / ((x1 - x0) * (y1 - y0)) as f32;
+            let (shown, count) = sums.around(i, self.reach);
+            let share = shown as f32 / count as f32;
             odds.min(odds.max(0.0) * (2.0 * (1.0 - share) - 1.0).max(0.0))
         };
         self.log_odds.iter().enumerate().map(left_of).collect()
@@ -98,7 +80,8 @@ mod tests {
     use crate::label::color_cut::{Settings, coarse};
     use crate::likelihood::background::Noise;
     use crate::likelihood::prepared::Prepared;
-    use shape::{Crop, Image, Rgb};
+    use crate::raster::raster;
+    use shape::{Crop, Image};
 
     const SIDE: usize = 60;
 
@@ -118,11 +101,7 @@ mod tests {
             .collect();
         Prepared {
             factor: 1,
-            small: Rgb {
-                width: SIDE,
-                height: SIDE,
-                data: all.map(color).collect(),
-            },
+            small: raster(SIDE, SIDE, all.map(color).collect()),
             cost,
             person,
             unforeseen: None,
@@ -193,11 +172,11 @@ mod tests {
         };
         // Two legs, three pixels apart, and a garment to the right of them.
         let leg = |x: usize| (5..15).contains(&x) || (18..28).contains(&x);
-        let evident = Image {
-            width: SIDE,
-            height: SIDE,
-            data: (0..SIDE * SIDE).map(|i| leg(i % SIDE)).collect(),
-        };
+        let evident = raster(
+            SIDE,
+            SIDE,
+            (0..SIDE * SIDE).map(|i| leg(i % SIDE)).collect(),
+        );
         let left = sense.beyond(&evident);
         let at = |x: usize| left[30 * SIDE + x];
         assert_eq!((at(16), at(40), at(55)), (0.0, 4.0, -5.0));

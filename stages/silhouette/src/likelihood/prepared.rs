@@ -1,5 +1,6 @@
 //! One photo made ready to be cut: what each of its reduced pixels costs as background.
 
+use crate::align::reduced::factor;
 use crate::cut::least_cut::Known;
 use crate::likelihood::background::{FLAT, Noise, background_cost};
 use crate::likelihood::floor::Floor;
@@ -96,11 +97,7 @@ pub fn prepare(
     coarse_px: usize,
     side_mm: f64,
 ) -> Prepared {
-    let factor = pixels
-        .width
-        .max(pixels.height)
-        .div_ceil(coarse_px.max(1))
-        .max(1);
+    let factor = factor(pixels, coarse_px);
     let (small, expected) = (pixels.reduced(factor), without.image.reduced(factor));
     let floor = floor.map(|floor| floor.resized(small.width, small.height));
     let grounds = Grounds::of(floor.as_ref(), 1, small.width, small.height);

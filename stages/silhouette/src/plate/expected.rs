@@ -4,6 +4,7 @@
 //! disk turns: a pixel that sees the disk's top sees the same point of the disk elsewhere on the
 //! plate. Where the disk stood on the plate is found by trying all angles.
 
+use crate::scene::disk_map::RIM;
 use crate::scene::disk_plane::{on_disk, sample};
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Pose, Rgb};
@@ -107,7 +108,7 @@ pub(crate) fn expected(plate: &Rgb, disk: Option<(&Camera, f64, f64)>) -> Rgb {
     let (width, height) = (plate.width, plate.height);
     for y in clamp(lo[1], height)..clamp(hi[1] + 1.0, height) {
         for x in clamp(lo[0], width)..clamp(hi[0] + 1.0, width) {
-            let at = on_disk(camera, Point2::new(x as f64, y as f64), radius * 0.985);
+            let at = on_disk(camera, Point2::new(x as f64, y as f64), radius * RIM);
             let color = at
                 .and_then(|x| there.project(&x))
                 .and_then(|px| sample(plate, px));

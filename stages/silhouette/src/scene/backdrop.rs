@@ -2,6 +2,7 @@
 //!
 //! Pixels that never change are background, unless what changes encloses them.
 
+use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
@@ -93,11 +94,11 @@ pub(crate) fn still(photos: &[Rgb]) -> Image<Option<bool>> {
     let fixed = fixed(photos);
     let apart = enclosed(&fixed);
     let verdict = |i: usize| fixed.data[i].then(|| !apart.data[i]);
-    Image {
-        width: fixed.width,
-        height: fixed.height,
-        data: (0..fixed.data.len()).map(verdict).collect(),
-    }
+    raster(
+        fixed.width,
+        fixed.height,
+        (0..fixed.data.len()).map(verdict).collect(),
+    )
 }
 
 /// Pixels that all photos but one show alike.
@@ -110,11 +111,7 @@ fn fixed(photos: &[Rgb]) -> Image<bool> {
         let same = SAME + (TREMBLE * f32::from(shared)) as u8;
         alike(&colors, same) + 1 >= photos.len()
     };
-    Image {
-        width: w,
-        height: h,
-        data: (0..w * h).into_par_iter().map(one).collect(),
-    }
+    raster(w, h, (0..w * h).into_par_iter().map(one).collect())
 }
 
 /// Which fixed pixels cannot be reached from the photo's border over fixed ones: they are amid what changes.
@@ -140,11 +137,7 @@ fn enclosed(fixed: &Image<bool>) -> Image<bool> {
     // What was thinned away beside what was reached belongs to it.
     let near = thinned(&reached.map(|r| !r), 3);
     let apart = |i: usize| fixed.data[i] && near.data[i];
-    Image {
-        width: w,
-        height: h,
-        data: (0..w * h).map(apart).collect(),
-    }
+    raster(w, h, (0..w * h).map(apart).collect())
 }
 
 /// Pixels whose whole neighbourhood is true: a square of `reach` pixels to each side.
@@ -159,11 +152,7 @@ pub(crate) fn thinned(image: &Image<bool>, reach: usize) -> Image<bool> {
                 (y.saturating_sub(reach)..(y + reach + 1).min(h)).all(|y| from.at(x, y))
             }
         };
-        Image {
-            width: w,
-            height: h,
-            data: (0..w * h).map(one).collect(),
-        }
+        raster(w, h, (0..w * h).map(one).collect())
     };
     along(&along(image, true), false)
 }

@@ -61,6 +61,7 @@ pub(crate) fn lay_into(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::raster;
     use nalgebra::{Rotation3, Vector3};
     use shape::{Intrinsics, Pose};
 
@@ -80,16 +81,12 @@ mod tests {
             *p = [(i % 200) as u8, (i / 200) as u8, 90];
         }
         let map = laid_out(&photo, &camera, 250.0, 256);
-        let known = Image {
-            width: 256,
-            height: 256,
-            data: map.iter().map(Option::is_some).collect(),
-        };
-        let map = Rgb {
-            width: 256,
-            height: 256,
-            data: map.into_iter().map(|c| c.unwrap_or([0; 3])).collect(),
-        };
+        let known = raster(256, 256, map.iter().map(Option::is_some).collect());
+        let map = raster(
+            256,
+            256,
+            map.into_iter().map(|c| c.unwrap_or([0; 3])).collect(),
+        );
         let mut back = Rgb::filled(200, 160, [0; 3]);
         let mut seen = Image::filled(200, 160, false);
         lay_into(&mut back, &mut seen, &camera, 250.0, &map, &known);

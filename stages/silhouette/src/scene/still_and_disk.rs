@@ -1,5 +1,6 @@
 //! The empty scene as it is laid out: the still background, and the disk, which turns.
 
+use crate::raster::raster;
 use crate::scene::backdrop::{Backdrop, middle};
 use crate::scene::disk_map::{laid_out, lay_into, point};
 use crate::scene::disk_plane::on_disk;
@@ -91,20 +92,24 @@ pub(crate) fn scene(
     };
     let hidden: Vec<Image<bool>> = (0..shots.len())
         .into_par_iter()
-        .map(|k| Image {
-            width: side,
-            height: side,
-            data: (0..side * side)
-                .map(|i| maps[k][i].is_none() || hides(k, i))
-                .collect(),
+        .map(|k| {
+            raster(
+                side,
+                side,
+                (0..side * side)
+                    .map(|i| maps[k][i].is_none() || hides(k, i))
+                    .collect(),
+            )
         })
         .collect();
     let maps: Vec<Rgb> = maps
         .into_iter()
-        .map(|map| Rgb {
-            width: side,
-            height: side,
-            data: map.into_iter().map(|c| c.unwrap_or([0; 3])).collect(),
+        .map(|map| {
+            raster(
+                side,
+                side,
+                map.into_iter().map(|c| c.unwrap_or([0; 3])).collect(),
+            )
         })
         .collect();
     Scene {

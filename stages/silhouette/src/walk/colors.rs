@@ -1,17 +1,15 @@
 //! Colours of the subject and of the background on one photo, by bands of rows: behind a head there is
 //! another background than behind feet.
 
+use crate::likelihood::body::{ANY_COLOR, body_cost};
 use crate::likelihood::gmm::Gmm;
+use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
-/// -ln of an even density over all colours.
-const ANY: f64 = 16.6;
-/// What a colour costs that the subject has not been seen to have.
-const STRANGE_BODY: f64 = ANY + 1.2;
 /// What a colour costs that the background has nowhere: most of it is in view beside the subject, so
 /// that such a colour is rather the subject's.
-const UNSEEN_BEHIND: f64 = ANY + 3.2;
+const UNSEEN_BEHIND: f64 = ANY_COLOR + 3.2;
 /// How many bands; each learns from half of its height above and below, too.
 const BANDS: usize = 4;
 /// So many samples tell a mixture; with fewer than `FEW` a band takes those of the whole photo.
@@ -67,8 +65,7 @@ impl Colors {
     pub(crate) fn favour(&self, color: [u8; 3], row: f64) -> f32 {
         let band = ((row / self.rows).max(0.0) as usize).min(BANDS - 1);
         let [body, background] = &self.bands[band];
-        let body = (body.cost(color) + 0.36).min(STRANGE_BODY);
-        (background.cost(color).min(UNSEEN_BEHIND) - body) as f32
+        (background.cost(color).min(UNSEEN_BEHIND) - body_cost(body, color)) as f32
     }
 
     /// The same of every pixel, means of 3 × 3.
@@ -87,10 +84,6 @@ impl Colors {
             }
             sum / n
         };
-        Image {
-            width: w,
-            height: h,
-            data: (0..w * h).into_par_iter().map(mean).collect(),
-        }
+        raster(w, h, (0..w * h).into_par_iter().map(mean).collect())
     }
 }

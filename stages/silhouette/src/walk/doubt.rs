@@ -1,5 +1,6 @@
 //! What is doubtful about the outlines of a walk.
 
+use crate::raster::as_mask;
 use crate::scene::still_and_disk::Shot;
 use crate::walk::colors::Colors;
 use nalgebra::Vector2;
@@ -12,7 +13,7 @@ const MIXED: f32 = 1.5;
 
 /// Share of the pixels near an outline that colours alone put on its side, both sides weighing alike.
 pub(crate) fn reported(shot: &Shot, sides: &Image<bool>, colors: &Colors) -> f64 {
-    let depth = signed_distance(&crate::walk::outline::as_mask(sides));
+    let depth = signed_distance(&as_mask(sides));
     let favour = colors.favours(&shot.small);
     let (mut right, mut count) = ([0usize; 2], [0usize; 2]);
     for (depth, favour) in depth.data.iter().zip(&favour.data) {

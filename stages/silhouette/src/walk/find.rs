@@ -1,5 +1,6 @@
 //! The subject amid the cameras: colours and cells in turn, from what all cameras look at.
 
+use crate::raster::as_mask;
 use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use crate::walk::colors::{Colors, Samples};
@@ -190,8 +191,7 @@ pub(crate) fn next_colors(
         let px = (block.cell * shot.camera.lens.focal[0] / depth).ceil() as i64;
         let area = shown.data.iter().filter(|s| **s).count() as f64;
         let deep = (px as f64).max(DEEP * area.sqrt());
-        let mask = shown.map(|s| if *s { 255u8 } else { 0 });
-        let far = shape::signed_distance(&mask);
+        let far = shape::signed_distance(&as_mask(&shown));
         let (mut body, mut background) = (bodies[k].clone(), Samples::new());
         for (i, (far, color)) in far.data.iter().zip(&shot.small.data).enumerate() {
             let row = (i / w) as u32;

@@ -1,5 +1,6 @@
 //! Where the subject ends below: a level plane, as a photo sees it.
 
+use crate::raster::{as_mask, raster};
 use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use crate::walk::find::Subject;
@@ -51,17 +52,17 @@ impl FloorCut {
         let above = block.shown(&self.above, &shot.camera, w, h);
         let far = shot.camera.centre().coords.norm();
         let px = (block.cell * shot.camera.lens.focal[0] / far) as f32;
-        let depth = shape::signed_distance(&above.map(|s| if *s { 255 } else { 0 }));
-        Image {
-            width: w,
-            height: h,
-            data: (0..w * h)
+        let depth = shape::signed_distance(&as_mask(&above));
+        raster(
+            w,
+            h,
+            (0..w * h)
                 .map(|i| {
                     let at = Point2::new((i % w) as f64, (i / w) as f64);
                     depth.data[i] > -px || self.rests_on(block, &shot.camera, at)
                 })
                 .collect(),
-        }
+        )
     }
 
     /// Whether a pixel of the photo itself is beyond where the subject ends; `standing` is what the

@@ -1,15 +1,13 @@
 //! The outline of a reduced photo again at full size, window by window so that memory stays small.
 
 use crate::border::soft_border::{coverage, soft_border};
-use crate::border::tiles::band;
-use crate::cut::least_cut::{Known, Window, cut_by_odds};
+use crate::border::tiles::{band, tiles};
+use crate::cut::least_cut::{Known, cut_by_odds};
 use crate::likelihood::background::Noise;
+use crate::raster::raster;
 use crate::walk::colors::Colors;
 use shape::{Image, Mask, Rgb};
 
-/// Side of a window, and its margin, which is cut and thrown away. \[px of the reduced photo\]
-const TILE: usize = 16;
-const MARGIN: usize = 4;
 /// Half the side of the neighbourhood in which the background's colour is sought. \[px\]
 const REACH: usize = 6;
 /// Pixels this near to the border may show both sides. \[px\]
@@ -47,11 +45,11 @@ fn widened(photo: &Rgb, factor: usize, coarse: &Image<bool>) -> Image<bool> {
         let (x, y) = (i % photo.width / factor, i / photo.width / factor);
         coarse.at(x.min(coarse.width - 1), y.min(coarse.height - 1))
     };
-    Image {
-        width: photo.width,
-        height: photo.height,
-        data: (0..photo.data.len()).map(at).collect(),
-    }
+    raster(
+        photo.width,
+        photo.height,
+        (0..photo.data.len()).map(at).collect(),
+    )
 }
 
 /// Cuts the border again.
@@ -73,23 +71,8 @@ fn cut_again(
             (false, false) => Known::Background,
         }
     };
-    let (across, down) = (coarse.width.div_ceil(TILE), coarse.height.div_ceil(TILE));
-    for t in 0..across * down {
-        let (tx, ty) = (t % across * TILE, t / across * TILE);
-        let (right, bottom) = (
-            (tx + TILE).min(coarse.width),
-            (ty + TILE).min(coarse.height),
-        );
-        if !(ty..bottom).any(|y| (tx..right).any(|x| band.at(x, y))) {
-            continue;
-        }
-        let (x0, y0) = (tx.saturating_sub(MARGIN), ty.saturating_sub(MARGIN));
-        let window = Window {
-            x: x0 * factor,
-            y: y0 * factor,
-            width: ((right + MARGIN).min(coarse.width) - x0) * factor,
-            height: ((bottom + MARGIN).min(coarse.height) - y0) * factor,
-        };
+    for tile in tiles(&band) {
+        let window = tile.with_margin(coarse, factor);
         let rows = window.y..window.y + window.height;
         let favour: Vec<f32> = rows
             .flat_map(|y| {
@@ -99,10 +82,11 @@ fn cut_again(
             })
             .collect();
         let body = cut_by_odds(photo, &window, gamma, &favour, &settled);
-        for y in ty * factor..bottom * factor {
-            for x in tx * factor..right * factor {
-                *sides.at_mut(x, y) = body[(y - window.y) * window.width + x - window.x];
-            }
+        let (left, right) = (tile.x.start * factor, tile.x.end * factor);
+        for y in tile.y.start * factor..tile.y.end * factor {
+            let from = (y - window.y) * window.width + left - window.x;
+            sides.data[y * photo.width..][left..right]
+                .copy_from_slice(&body[from..][..right - left]);
         }
     }
 }

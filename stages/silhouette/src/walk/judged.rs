@@ -39,7 +39,7 @@ pub(crate) struct Judged<'a> {
 const NAMED: f64 = 0.1;
 /// Share of a photo's border that a mask may touch.
 const BORDER: f64 = 0.002;
-/// Names that are listed.
+/// Names that are listed (structural).
 const NAMES: usize = 6;
 
 /// A warning comes at this part of what is refused.

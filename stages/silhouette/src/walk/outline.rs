@@ -2,11 +2,13 @@
 
 use crate::cut::least_cut::{Known, Window, cut_by_odds};
 use crate::label::parts::parts;
+
+use crate::raster::{as_mask, raster};
 use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use crate::walk::colors::Colors;
 use crate::walk::features::Spot;
-use shape::{Image, Mask, signed_distance};
+use shape::{Image, signed_distance};
 
 /// What holds an outline to the cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,11 +26,6 @@ pub(crate) fn depth(block: &Block, solid: &[bool], shot: &Shot) -> Image<f32> {
     let (w, h) = (shot.small.width, shot.small.height);
     let shown = block.shown(solid, &shot.camera, w, h);
     signed_distance(&as_mask(&shown))
-}
-
-/// Sides as a mask.
-pub(crate) fn as_mask(sides: &Image<bool>) -> Mask {
-    sides.map(|s| if *s { 255 } else { 0 })
 }
 
 /// Size of a cell on a photo. \[px\]
@@ -72,18 +69,9 @@ pub(crate) fn outline(
             colors.favour(*c, (i / w) as f64) + hold.firm * within
         })
         .collect();
-    let window = Window {
-        x: 0,
-        y: 0,
-        width: w,
-        height: h,
-    };
+    let window = Window::all(&shot.small);
     let data = cut_by_odds(&shot.small, &window, gamma, &favour, &|i| known[i]);
-    let sides = Image {
-        width: w,
-        height: h,
-        data,
-    };
+    let sides = raster(w, h, data);
     // A gap is where colours speak for the background.
     let open = |i: usize| colors.favour(shot.small.data[i], (i / w) as f64) < -1.0;
     cleaned(&sides, &open)

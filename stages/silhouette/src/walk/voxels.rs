@@ -1,5 +1,6 @@
 //! Which cells are the subject: the evidence of every photo for each, and a least cut through the block.
 
+use crate::cut::least_cut::UNIT;
 use crate::cut::maxflow::Grid;
 use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
@@ -56,8 +57,6 @@ pub(crate) fn evidence(
     (0..block.len()).into_par_iter().map(one).collect()
 }
 
-/// Costs are multiplied by this and rounded, so that flows are whole numbers.
-const UNIT: f32 = 64.0;
 /// No evidence counts for more.
 const MOST: f32 = 40.0;
 
@@ -65,9 +64,9 @@ const MOST: f32 = 40.0;
 /// costs to part neighbours.
 pub(crate) fn solid(block: &Block, evidence: &[f32], smooth: f32) -> Vec<bool> {
     let mut grid = Grid::block(block.count);
-    let part = (smooth * UNIT) as i32;
+    let part = (smooth * UNIT as f32) as i32;
     for (i, e) in evidence.iter().enumerate() {
-        let cost = (e.clamp(-MOST, MOST) * UNIT) as i32;
+        let cost = (e.clamp(-MOST, MOST) * UNIT as f32) as i32;
         grid.set_cell_terminal(i, cost.max(0), (-cost).max(0));
         let at = block.at(i);
         for axis in 0..3 {

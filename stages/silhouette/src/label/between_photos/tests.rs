@@ -33,11 +33,7 @@ fn mask(camera: &Camera) -> Mask {
         (0..84).any(|k| body(&(from + ray * (1430.0 + 4.0 * f64::from(k)))))
     };
     let pixels = (0..SIZE.0 * SIZE.1).map(|i| if shows(i) { 255 } else { 0 });
-    Mask {
-        width: SIZE.0,
-        height: SIZE.1,
-        data: pixels.collect(),
-    }
+    raster(SIZE.0, SIZE.1, pixels.collect())
 }
 
 /// Masks of so many photos of a turn, and their cameras.
