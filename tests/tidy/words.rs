@@ -16,9 +16,9 @@ const AVOIDED: [&str; 12] = [
 const COUNTS: [(&str, usize); 5] = [
     ("src", 2),
     ("src/words/*.ftl", 15),
-    ("stages", 280),
+    ("stages", 23),
     ("study", 1),
-    ("tests", 39),
+    ("tests", 35),
 ];
 
 /// The words of a text in lower case; a name is as many words as it is made of.
@@ -37,9 +37,13 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
+/// What is left out of a fit is "held out" in statistics.
 fn avoided(text: &str) -> usize {
-    let is_avoided = |word: &&String| AVOIDED.contains(&word.as_str());
-    words(text).iter().filter(is_avoided).count()
+    let words = words(text);
+    let after = |i: usize| words[i + 1..].iter().find(|word| !word.is_empty());
+    let of_a_fit = |i: usize| words[i] == "held" && after(i).is_some_and(|word| word == "out");
+    let is_avoided = |i: &usize| AVOIDED.contains(&words[*i].as_str()) && !of_a_fit(*i);
+    (0..words.len()).filter(is_avoided).count()
 }
 
 #[test]

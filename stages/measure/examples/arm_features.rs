@@ -5,7 +5,7 @@
 //! ```
 //!
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote. A row an arm. Ways are along the straight line
-//! of the upper arm from the wrist that is told, as shares of the told stature `unit_mm`: `acromion`, `elbow`
+//! of the upper arm from the estimated wrist, as shares of the given stature `unit_mm`: `acromion`, `elbow`
 //! (joint), `upper_arm` (midway between acromion and elbow tip) and `wrist` (joint) are true; `t00`… are tapes
 //! across that line \[mm\] where the arm is alone; `refused` is 1 where the arm was not followed.
 
@@ -51,7 +51,7 @@ fn main() -> Result<(), Fault> {
     Ok(())
 }
 
-/// Both arms of a body; none where the program finds no body, which is said.
+/// Both arms of a body; none where the program finds no body, which is printed.
 fn rows(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
     let made = read(path)?;
     let Some(body) = made.standing() else {

@@ -59,7 +59,7 @@ fn main() -> Result<(), Fault> {
     Ok(())
 }
 
-/// One body's row; `None` where the program finds no marks on it, which is said.
+/// One body's row; `None` where the program finds no marks on it, which is printed.
 fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
     let made = read(path)?;
     let (truth, mesh, id) = (&made.truth, &made.mesh, made.id.clone());
@@ -114,5 +114,5 @@ fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
     Ok(Some(row))
 }
 
-/// Age from which a made body is grown up, as its phenotype says it: 0 newborn, 1/3 baby, 2/3 young, 1 old.
+/// Age from which a made body is grown up, as its phenotype has it: 0 newborn, 1/3 baby, 2/3 young, 1 old.
 const GROWN_UP: f64 = 0.6;

@@ -4,9 +4,9 @@
 //! cargo run --release -p measure --features tables --example girth_errors -- MADE > models/tables/girths.csv
 //! ```
 //!
-//! `MADE` is the folder that `models/made/make_bodies.py` wrote. A row a girth that was told: `tape`, its 90 %
+//! `MADE` is the folder that `models/made/make_bodies.py` wrote. A row a girth: `tape`, its 90 %
 //! interval and the truth (the template's tape at the true plane) in millimetres; or `refused` with the reason.
-//! Waist and chest of bodies that the model was fitted on are in-sample: `[[held_out]]` of the model tells those.
+//! Waist and chest of bodies that the model was fitted on are in-sample: `[[held_out]]` of the model has those.
 
 mod made_bodies;
 

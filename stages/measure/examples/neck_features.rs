@@ -41,7 +41,7 @@ fn main() -> Result<(), Fault> {
     Ok(())
 }
 
-/// One body's row; `None` where the program finds no neck on it, which is said.
+/// One body's row; `None` where the program finds no neck on it, which is printed.
 fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
     let made = read(path)?;
     let neck = made.standing().and_then(|b| neck_features(&made.mesh, &b));

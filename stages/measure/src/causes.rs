@@ -125,7 +125,7 @@ pub(crate) fn left_out(parts: &LostParts, part: BodyPart) -> Option<Message> {
         .then(|| message!(MOSTLY_LOST, count = parts.of(part).len(), of = parts.photos))
 }
 
-/// Outlines that contradict those of all others, or a surface that kept only a part of what they share.
+/// Outlines that contradict those of all other photos, or a surface that kept only a part of what they share.
 fn outlines(input: &Evidence<'_>, cameras: &Cameras, masks: &Masks) -> Option<(Refusal, Message)> {
     let seen = coherence(cameras, masks)?;
     let beyond: Vec<(PhotoId, f64)> = seen.contradicting().collect();

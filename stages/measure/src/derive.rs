@@ -27,7 +27,7 @@ pub(crate) struct Known {
 }
 
 /// Adds ratios, body mass index and volume. Stature and weight are the user's where he gave them; where
-/// lengths are relative, nothing is said that needs centimetres.
+/// lengths are relative, nothing is given that needs centimetres.
 pub(crate) fn derive(girths: &mut Girths, mesh: &Mesh, known: &Known) {
     let Known {
         measured_mm,
@@ -87,7 +87,7 @@ pub(crate) fn compress(girths: &mut Girths, percent: f64) {
     girths.profile.tape_mm.iter_mut().for_each(|mm| *mm *= by);
 }
 
-/// Takes back what depends on lengths that contradict each other, and says why it is not there: all that takes stature or a
+/// Takes back what depends on lengths that contradict each other, with why it is not there: all that takes stature or a
 /// volume; and all centimetres, where lengths are not relative already. Ratios of girths stay, for they have no unit.
 pub(crate) fn withhold(girths: &mut Girths, between: [Template; 2]) {
     let [one, other] = between.map(|kind| Message::new(&kind, []));
@@ -117,7 +117,7 @@ pub(crate) fn withhold(girths: &mut Girths, between: [Template; 2]) {
 /// Densities of living bodies, with air in their lungs and what a surface errs. \[kg/l\]
 const DENSITIES: std::ops::RangeInclusive<f64> = 0.8..=1.2;
 
-/// What is said where volume and the weight that was given do not make a living body.
+/// What is reported where volume and the weight that was given do not make a living body.
 pub(crate) fn no_density(girths: &Girths) -> Option<Message> {
     let mut ratios = girths.ratios.iter();
     let (_, density, _) = ratios.find(|(name, ..)| name == "density_kg_l")?;
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn thresholds_of_adults_stand_beside_no_figure_of_a_childs_size() {
+    fn thresholds_of_adults_are_beside_no_figure_of_a_childs_size() {
         let (positions, faces) = proof::block([500.0; 3]);
         let cube = Mesh {
             positions,
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn a_weight_that_does_not_fit_the_volume_is_told() {
+    fn a_weight_that_does_not_fit_the_volume_is_reported() {
         // A cube of half a metre: 125 l.
         let (positions, faces) = proof::block([500.0; 3]);
         let cube = Mesh {

@@ -18,7 +18,7 @@ stage::inputs! {
     pub struct BodyInput {
         /// The surface.
         mesh: Arc<Mesh>,
-        /// Cameras: where the ground is said to be.
+        /// Cameras: where the ground is given.
         cameras: Option<Arc<Cameras>>,
         /// A level model of one's own, one TOML file; without it the one that ships.
         levels: Option<Arc<Files>>,

@@ -30,11 +30,11 @@ stage::params! {
     /// How sure the surface is, and points picked by hand.
     pub struct GirthParams {
         /// Standard deviation of the surface along its normal, even all over a section, beside what
-        /// cells, cameras and silhouettes say.
+        /// cells, cameras and silhouettes show.
         #[range(0.0..=50.0)]
         surface_mm: f64 = 0.3,
         /// By how much a tape presses in, as a share of its length: tapes and their intervals are
-        /// shortened by it, and the files say so. Nothing unless you know it of your measurer. In %.
+        /// shortened by it, and the files note it. Nothing unless you know it of your measurer. In %.
         #[range(0.0..=10.0)]
         #[source(structural)]
         compression_pct: f64 = 0.0,
@@ -64,7 +64,7 @@ stage::inputs! {
         cameras: Option<Arc<Cameras>>,
         /// Photos: what the user knows of the stature.
         photos: Option<Arc<Photos>>,
-        /// Silhouettes: girths without the surface, where limbs stand clear.
+        /// Silhouettes: girths without the surface, where limbs are clear.
         masks: Option<Arc<Masks>>,
         /// Who is measured and when: indices, growth references for a child, thresholds for adults.
         person: Option<Arc<Person>>,
@@ -95,7 +95,7 @@ impl Stage for Measure {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
         let mut body = Body::of(mesh, (*input.features).clone());
         body.carved = input.masks.is_some();
-        // Of a body that stands nowhere, nothing was found.
+        // Of a body without a ground, nothing was found.
         let body = Some(&body).filter(|body| body.is_measurable());
         let mut girths = Girths {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
@@ -247,7 +247,7 @@ fn seen(
     }
 }
 
-/// What is known of the surface's error; how far it stands off the silhouettes' girths is an even
+/// What is known of the surface's error; how far it is off the silhouettes' girths is an even
 /// error along its normal.
 fn sure<'a>(
     p: &GirthParams,

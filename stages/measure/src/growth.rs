@@ -95,7 +95,7 @@ fn score(z: f64) -> Score {
     }
 }
 
-/// Where stature and body mass index are, where sex, age, and the stature that was given tell. The body mass index is told
+/// Where stature and body mass index are, where sex, age, and the stature that was given show. The body mass index is given
 /// where the weight was given, too.
 pub(crate) fn growth(girths: &Girths, stature_mm: Option<f64>) -> Option<Growth> {
     let (sex, months, mm) = (girths.sex?, girths.age_months?, stature_mm?);

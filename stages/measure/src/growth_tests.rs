@@ -66,7 +66,7 @@ fn beyond_three_standard_deviations_steps_stay_as_long() {
 }
 
 #[test]
-fn an_age_between_months_lies_between_and_one_outside_is_not_told() {
+fn an_age_between_months_is_between_and_one_outside_is_not_given() {
     let [a, b, c] = [100.0, 100.5, 101.0].map(|m| reference(Sex::Female, m).unwrap()[1].m);
     near(b, (a + c) / 2.0, 1e-9);
     for none in [60.9, 228.1, -1.0, f64::NAN] {

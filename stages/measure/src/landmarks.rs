@@ -124,7 +124,7 @@ impl Stage for FindLandmarks {
     }
 }
 
-/// What is missing of a body of which nothing can be told.
+/// What is missing of a body of which nothing is known.
 fn nothing(p: &LandmarkParams, why: Refusal) -> Vec<Missing> {
     let limbs = |id: fn(Side) -> GirthId| Side::BOTH.map(id);
     let all = [GirthId::Hip, GirthId::Waist, GirthId::Chest, GirthId::Neck];
@@ -136,7 +136,7 @@ fn nothing(p: &LandmarkParams, why: Refusal) -> Vec<Missing> {
     missing
 }
 
-/// What is said of a body that the measured people do not cover, so tall where lengths are known. \[mm\]
+/// What is reported of a body that the measured people do not cover, so tall where lengths are known. \[mm\]
 fn word(cover: Cover, tall: Option<f64>) -> Option<Message> {
     let tall = match tall {
         Some(mm) => Field::from(message!(TALL, height = mm / 10.0)),

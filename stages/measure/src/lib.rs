@@ -66,7 +66,7 @@ pub use sections::taken::taken;
 pub use uncertainty::clothes::leg_step;
 pub use uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<FindBody>().failing(CODED),
     &stage::erase::<FindLandmarks>().failing(CODED),

@@ -1,4 +1,4 @@
-//! What is said of girths: each kind of remark and each reason of a refusal once, for all girths that it concerns.
+//! What is remarked of girths: each kind of remark and each reason of a refusal once, for all girths that it concerns.
 
 use crate::derive::no_density;
 use shape::{Girth, Girths, NamedGirth, Note, Unit, by_reason, girth_names};

@@ -1,10 +1,10 @@
-//! Arms estimated from the trunk: where they stand clear, their axes, and cuts where they do not.
+//! Arms estimated from the trunk: where they are clear, their axes, and cuts where they do not.
 
 use crate::features::body::Body;
 use crate::geometry::slices::{Ring, Slice};
 use nalgebra::{Point3, Vector3};
 
-/// The ring of an arm in a slice, on a side (1 left, -1 right), where it stands clear of the trunk.
+/// The ring of an arm in a slice, on a side (1 left, -1 right), where it is clear of the trunk.
 pub fn arm_ring<'a>(body: &Body, rings: &'a [Ring], side: f64) -> Option<&'a Ring> {
     let trunk = rings.first()?;
     let out = |r: &Ring| (r.centre - trunk.centre).dot(&body.left) * side;
@@ -25,12 +25,12 @@ const JUMP: f64 = 0.012;
 /// How far from a level that is looked for, as a share of stature.
 const NEAR: f64 = 0.12;
 
-/// Whether at a height the arm of a side is part of the trunk's section: it stands clear nearest above
+/// Whether at a height the arm of a side is part of the trunk's section: it is clear nearest above
 /// or below, and toward that height the trunk's section jumps outward by it.
 pub fn merged(body: &Body, z: f64, side: f64) -> bool {
     let near = NEAR * body.stature;
     let around: Vec<&Slice> = body.between(z - near, z + near).collect();
-    let stands = |s: &&Slice| arm_ring(body, &s.rings, side).is_some();
+    let clear = |s: &&Slice| arm_ring(body, &s.rings, side).is_some();
     let out = |s: &Slice| {
         let points = s.rings.first().map_or(&[][..], |r| &r.curve);
         let reach = points.iter().map(|p| p.coords.dot(&body.left) * side);
@@ -42,11 +42,11 @@ pub fn merged(body: &Body, z: f64, side: f64) -> bool {
     }) else {
         return false;
     };
-    if stands(&around[here]) {
+    if clear(&around[here]) {
         return false;
     }
-    let above = (here..around.len()).find(|i| stands(&around[*i]));
-    let below = (0..here).rev().find(|i| stands(&around[*i]));
+    let above = (here..around.len()).find(|i| clear(&around[*i]));
+    let below = (0..here).rev().find(|i| clear(&around[*i]));
     let jumps =
         |clear: usize, next: usize| out(around[next]) - out(around[clear]) > JUMP * body.stature;
     above.is_some_and(|i| jumps(i, i - 1)) || below.is_some_and(|i| jumps(i, i + 1))
@@ -56,7 +56,7 @@ pub fn merged(body: &Body, z: f64, side: f64) -> bool {
 const GAP: usize = 2;
 
 /// Middles of an arm's level sections above a height, from bottom to top: the longest stretch where it
-/// stands clear of the trunk. Shoulders of raised arms that stand out above the slope of the neck are
+/// is clear of the trunk. Shoulders of raised arms that rise above the slope of the neck are
 /// rings of their own, too, but not this arm's. \[mm\]
 pub fn clear(body: &Body, side: f64, above: f64) -> Vec<Point3<f64>> {
     let below_neck = |s: &&Slice| body.neck.is_none_or(|n| s.z < n);
@@ -92,7 +92,7 @@ impl Axis {
     }
 }
 
-/// The axis of an upper arm from where it stands clear of the trunk; `hip` is a height below which
+/// The axis of an upper arm from where it is clear of the trunk; `hip` is a height below which
 /// no upper arm is.
 pub fn upper_arm_axis(body: &Body, side: f64, hip: f64) -> Option<Axis> {
     let all = clear(body, side, hip);

@@ -1,4 +1,4 @@
-//! How a body stands: its height, which way it faces, where legs join, where the neck is narrow.
+//! How a body is placed: its height, which way it faces, where legs join, where the neck is narrow.
 
 use crate::geometry::slices::{Ring, Slice, rings, slices};
 use nalgebra::{Point3, Vector3};
@@ -168,7 +168,7 @@ const AGREE: f64 = 0.5;
 
 /// The way a body faces, and whether that is sure: across the line from thigh to thigh, to the side
 /// that whole feet point to, or else the head is carried to. Feet alone tell where legs are one; they are
-/// small, and where they stand on something of their colour they may be lost.
+/// small, and where they are on something of their colour they may be lost.
 fn facing(body: &Body) -> Option<(Vector3<f64>, bool)> {
     let (feet, head) = (feet(body), head(body));
     let Some(beside) = thighs(body) else {
@@ -197,7 +197,7 @@ fn two_feet(body: &Body) -> bool {
 /// How far hips are above the crotch, as a share of stature: the mean of trochanterion less crotch of 6 068 people (ANSUR II).
 const HIPS: f64 = 0.034;
 
-/// The horizontal direction from hip to hip, unit; which of both is first is not told. Thighs run there: in a stride, or with
+/// The horizontal direction from hip to hip, unit; which of both is first is open. Thighs run there: in a stride, or with
 /// a knee bent, one is before the other farther down.
 fn thighs(body: &Body) -> Option<Vector3<f64>> {
     let high = body.legs_join? - body.ground;

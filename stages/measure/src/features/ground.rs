@@ -1,4 +1,4 @@
-//! The ground that a body stands on: its soles, held against the ground that cameras tell.
+//! The ground below a body: its soles, compared with the ground of the cameras.
 
 use crate::features::soles::{Soles, soles};
 use shape::{Mesh, Refusal, Unit};
@@ -15,7 +15,7 @@ stage::messages! {
 pub struct GivenGround {
     /// Its height. \[mm\]
     pub height_mm: f64,
-    /// Whether it is the mat or the disk that the body was photographed on; else it was only said.
+    /// Whether it is the mat or the disk that the body was photographed on; else it was only given.
     pub firm: bool,
     /// Its standard deviation, as far as it is known. \[mm\]
     pub sigma_mm: f64,
@@ -23,7 +23,7 @@ pub struct GivenGround {
     pub unit: Unit,
 }
 
-/// Where a body stands.
+/// Where a body is on the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground {
     /// Height of the ground. \[mm\]
@@ -36,9 +36,9 @@ pub struct Ground {
     pub word: Option<Message>,
 }
 
-/// Soles and a ground that is only said agree within this, as a share of the body's height.
+/// Soles and a ground that is only given agree within this, as a share of the body's height.
 const AGREE: f64 = 0.012;
-/// A surface of feet that stand on a mat or a disk ends within this of it, as a share of the body's
+/// A surface of feet on a mat or a disk ends within this of it, as a share of the body's
 /// height: nobody sees soles, and shadows beside them are cut off or taken in.
 const NEAR: f64 = 0.03;
 /// From a mat or a disk up to here feet may be lost, as a share of the body's height: ankles are seen.
@@ -46,7 +46,7 @@ pub(crate) const LOST: f64 = 0.08;
 /// Standard deviation of a ground where the feet are lost, as a share of the body's height.
 const UNSEEN: f64 = 0.004;
 
-/// The ground of an upright body. Soles that the surface shows and a ground that cameras tell are held
+/// The ground of an upright body. Soles that the surface shows and a ground of the cameras are compared
 /// against each other; where they disagree and neither can be trusted, there is none.
 ///
 /// # Errors
@@ -65,7 +65,7 @@ pub fn ground(mesh: &Mesh, reported: Option<&GivenGround>) -> Result<Ground, Ref
         let sure = found.filter(|s| s.sure).ok_or(Refusal::NoGround)?;
         return Ok(by_soles(&sure, None));
     };
-    let as_told = |more: f64, word: Option<Message>| Ground {
+    let as_given = |more: f64, word: Option<Message>| Ground {
         height_mm: reported.height_mm,
         sigma_mm: libm::hypot(reported.sigma_mm, more),
         feet: found.is_some_and(|s| s.sure),
@@ -73,19 +73,19 @@ pub fn ground(mesh: &Mesh, reported: Option<&GivenGround>) -> Result<Ground, Ref
     };
     let Some(found) = found else {
         return match reported.firm {
-            true => Ok(as_told(UNSEEN * tall, None)),
+            true => Ok(as_given(UNSEEN * tall, None)),
             false => Err(Refusal::NoGround),
         };
     };
     let off = found.height - reported.height_mm;
     match (reported.firm, found.sure) {
-        (true, _) if off.abs() <= NEAR * tall => Ok(as_told(0.0, None)),
+        (true, _) if off.abs() <= NEAR * tall => Ok(as_given(0.0, None)),
         (_, true) => {
             let word = (off.abs() > AGREE * tall).then(|| apart(off, reported.unit));
             Ok(by_soles(&found, word))
         }
-        (false, false) if off.abs() <= AGREE * tall => Ok(as_told(found.sigma, None)),
-        (true, false) if (0.0..=LOST * tall).contains(&off) => Ok(as_told(
+        (false, false) if off.abs() <= AGREE * tall => Ok(as_given(found.sigma, None)),
+        (true, false) if (0.0..=LOST * tall).contains(&off) => Ok(as_given(
             UNSEEN * tall,
             Some(message!(FEET_LOST, end = reported.unit.field(off))),
         )),
@@ -93,7 +93,7 @@ pub fn ground(mesh: &Mesh, reported: Option<&GivenGround>) -> Result<Ground, Ref
     }
 }
 
-/// What is said of a ground that the body does not touch.
+/// What is reported of a ground that the body does not touch.
 fn apart(off: f64, unit: Unit) -> Message {
     let far = unit.field(off.abs());
     match off > 0.0 {

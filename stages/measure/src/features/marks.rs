@@ -30,7 +30,7 @@ pub struct Marks {
     /// Where the outline from the front is midway between neck and shoulders.
     pub shoulder: f64,
     /// Millimetres that the arms' middle lines go outward for each that they go down; `None` where
-    /// no arm stands clear.
+    /// no arm is clear.
     pub spread: Option<f64>,
     /// Half the trunk's tape where it is least between hip and bust, as a length across. \[mm\]
     pub girth: f64,
@@ -183,7 +183,7 @@ fn shoulder(body: &Body, hip: f64, neck: f64) -> Option<f64> {
 }
 
 /// How far the middle lines of both arms go outward for a millimetre down, just below where they
-/// stand clear of the trunk.
+/// are clear of the trunk.
 fn spread(body: &Body, hip: f64) -> Option<f64> {
     let slopes: Vec<f64> = [1.0, -1.0]
         .into_iter()

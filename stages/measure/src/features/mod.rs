@@ -1,4 +1,4 @@
-//! What a surface shows: where and how the body stands, marks on its outline, arms, neck.
+//! What a surface shows: where and how the body is, marks on its outline, arms, neck.
 
 pub(crate) mod arms;
 pub(crate) mod body;

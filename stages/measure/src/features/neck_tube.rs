@@ -1,7 +1,7 @@
 //! The neck as a tube: its tightest planes of all levels and leans, its axis, how far it reaches.
 //!
 //! A tape that is free to slide and to tilt comes to rest where it is shortest. That place is on the tube
-//! whatever way the head is held: jaw, skull and shoulders are all wider. The axis is the line of the
+//! whichever way the head leans: jaw, skull and shoulders are all wider. The axis is the line of the
 //! middles of the sections about it.
 
 use crate::geometry::crop::near;

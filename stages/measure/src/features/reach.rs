@@ -29,7 +29,7 @@ pub(crate) fn between<const N: usize>(rows: &[Row<N>], z: f64) -> [f64; N] {
     std::array::from_fn(|k| a.reach[k] + t * (b.reach[k] - a.reach[k]))
 }
 
-/// Reaches of a body's outline, told at shares of the way from the hip's level (0) to the neck's (1).
+/// Reaches of a body's outline, at shares of the way from the hip's level (0) to the neck's (1).
 ///
 /// Forward and back are from the middle of the hip's own section. \[mm\]
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -80,7 +80,7 @@ impl BodyExtents {
         self.at(share)[1]
     }
 
-    /// Breadth of the trunk alone, where arms stand clear of it.
+    /// Breadth of the trunk alone, where arms are clear of it.
     pub fn trunk(&self, share: f64) -> f64 {
         self.at(share)[2]
     }

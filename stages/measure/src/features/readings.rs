@@ -11,7 +11,7 @@ use super::whole::no_stature;
 pub const READINGS_VERSION: u32 = 1;
 
 /// One thing that is read off a surface. Heights are above the ground; all are shares of stature
-/// unless they say otherwise.
+/// unless noted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reading {
     /// Logarithm of stature against 1700 mm; unknown where lengths are relative.
@@ -106,7 +106,7 @@ const USUAL_MM: f64 = 1700.0;
 /// A bust's apex counts from this sharpness on.
 const SHARP: f64 = 0.25;
 
-/// Reads a body whose marks were found. `absolute` says that its lengths are millimetres, not
+/// Reads a body whose marks were found. `absolute` is whether its lengths are millimetres, not
 /// relative. `None` where its height is no stature.
 pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> {
     if no_stature(body).is_some() {
@@ -115,7 +115,7 @@ pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> 
     let s = body.stature;
     let long = marks.neck - marks.hip;
     let at = |share: f64| body.ground + marks.hip + share * long;
-    // Where no arm stands clear, arms may be before the trunk or on it.
+    // Where no arm is clear, arms may be before the trunk or on it.
     let clear = marks.spread.is_some();
     let tape = |share: f64| Some(trunk_tape(body, at(share)).filter(|_| clear)? / s);
     let apex = marks.apex.filter(|(_, sharp)| clear && *sharp >= SHARP);

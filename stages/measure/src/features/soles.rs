@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// Where feet end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Soles {
-    /// Their height: what stands on the ground. \[mm\]
+    /// Their height: what is on the ground. \[mm\]
     pub(crate) height: f64,
     /// Its standard deviation. \[mm\]
     pub(crate) sigma: f64,
@@ -26,11 +26,11 @@ const STEP: f64 = 0.002;
 const ANKLE: f64 = 0.06;
 /// A section of a leg is no larger; in people it is 0.006, of two legs that touch 0.015.
 const LARGEST: f64 = 0.035;
-/// A floor below the feet: so large at least, and so many times as large as what stands on it.
+/// A floor below the feet: so large at least, and so many times as large as what is on it.
 const FLOOR: (f64, f64) = (0.011, 1.6);
 /// How far above the ground half of a bare foot's plan shows: of two made bodies 0.0029 and 0.0030.
 const ROUND: f64 = 0.003;
-/// Part of a foot's plan that a body on its toes stands on at least, and how far it may be below the
+/// Part of a foot's plan that a body on its toes rests on at least, and how far it may be below the
 /// half of it: nearer, it is the edge of a sole that nobody saw.
 const TOES: (f64, f64) = (0.1, 0.012);
 /// A foot is at least so long, and so many times as long as its ankle is deep. Feet are 0.13 long.

@@ -45,7 +45,7 @@ pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standin
     let found = ground(mesh, cameras.map(reported).as_ref());
     let lowest = mesh.bounds()?.0.z;
     let mut body = body(mesh, found.as_ref().map_or(lowest, |g| g.height_mm))?;
-    // Without legs that is said, not that there are no feet.
+    // Without legs that is reported, not that there are no feet.
     let nowhere = found.as_ref().err().filter(|_| body.crotch.is_some());
     // A surface from elsewhere is taken at its word.
     let scale = cameras.map_or(Some(0.0), |c| c.scale_sigma);

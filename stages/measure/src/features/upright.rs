@@ -1,4 +1,4 @@
-//! Whether a surface is a body that stands upright on two legs of its own: lying, sitting, upside down
+//! Whether a surface is a body that is upright on two legs of its own: lying, sitting, upside down
 //! and under a coat, levels mean nothing.
 
 use crate::features::body::{Body, body};
@@ -7,7 +7,7 @@ use crate::geometry::slices::Slice;
 use nalgebra::{Matrix3, Vector3};
 use shape::{Mesh, Refusal};
 
-/// A body that stands is higher than so many times its greatest reach across: arms spread wide reach 1.1
+/// An upright body is higher than so many times its greatest reach across: arms spread wide reach 1.1
 /// of the stature.
 const TALL: f64 = 0.8;
 /// How far the long axis of an upright body leans at most. \[rad\] Of six scans, fifty made bodies and twelve stances 0.075 at
@@ -21,9 +21,9 @@ const HEM: f64 = 1.7;
 /// lengthwise and covered, at least 0.16 (2026).
 const CUT: f64 = 0.08;
 
-/// Why a body is none that stands: a reason. `None` for one that does.
+/// Why a body is not upright: a reason. `None` for one that is.
 pub(crate) fn unfit(mesh: &Mesh, body: &Body) -> Option<Refusal> {
-    let upside_down = || (body.crotch.is_none() || body.neck.is_none()) && stands_on_its_head(mesh);
+    let upside_down = || (body.crotch.is_none() || body.neck.is_none()) && is_upside_down(mesh);
     let leans = || body.crotch.is_some() && lean(mesh) > LEAN;
     if many_legs(body) {
         return Some(Refusal::ManyLegs);
@@ -31,7 +31,7 @@ pub(crate) fn unfit(mesh: &Mesh, body: &Body) -> Option<Refusal> {
     if flat_share(mesh) > CUT {
         return Some(Refusal::CutThrough);
     }
-    if lies(mesh, body.stature) || leans() || upside_down() {
+    if is_lying(mesh, body.stature) || leans() || upside_down() {
         return Some(Refusal::NotUpright);
     }
     hem(body).then_some(Refusal::NoLegs)
@@ -48,7 +48,7 @@ fn many_legs(body: &Body) -> bool {
 }
 
 /// Whether a surface reaches farther across than up.
-fn lies(mesh: &Mesh, stature: f64) -> bool {
+fn is_lying(mesh: &Mesh, stature: f64) -> bool {
     let across = |k: u32| {
         let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::PI / 12.0);
         let reach = mesh
@@ -62,7 +62,7 @@ fn lies(mesh: &Mesh, stature: f64) -> bool {
 }
 
 /// Whether a body shows legs and a neck the other way up.
-fn stands_on_its_head(mesh: &Mesh) -> bool {
+fn is_upside_down(mesh: &Mesh) -> bool {
     let turned = Mesh {
         positions: mesh
             .positions

@@ -23,7 +23,7 @@ pub fn fitted_plane(points: &[Point3<f64>]) -> Option<Plane> {
 }
 
 /// Eq. 8: points of the mesh near a curve's plane are added and the plane is fitted again until it
-/// stands still. Returns the plane and the points.
+/// rests. Returns the plane and the points.
 pub fn grown(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<(Plane, Vec<Point3<f64>>)> {
     let edge = mesh.mean_edge();
     settled(&beside(mesh, edge, curve), edge, curve)
@@ -43,7 +43,7 @@ fn beside(mesh: &Mesh, threshold: f64, curve: &[Point3<f64>]) -> Vec<Point3<f64>
         .collect()
 }
 
-/// The plane through a curve, fitted again to the points within a threshold of it until it stands
+/// The plane through a curve, fitted again to the points within a threshold of it until it rests
 /// still, and those points.
 fn settled(
     near: &[Point3<f64>],
@@ -177,7 +177,7 @@ fn from_piece(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
 /// How far a spline may stay below the tape or go beyond the exact curve, as a share.
 const LEFT: f64 = 0.03;
 
-/// Whether a spline has left the ring that it stands for.
+/// Whether a spline has left the ring that it is drawn through.
 pub fn has_left(spline_mm: f64, tape_mm: f64, contour_mm: f64) -> bool {
     spline_mm < (1.0 - LEFT) * tape_mm || spline_mm > (1.0 + LEFT) * contour_mm
 }

@@ -30,7 +30,7 @@ pub enum ImportError {
     Unit {
         /// The file.
         file: String,
-        /// What it says.
+        /// Its text.
         file_unit: &'static str,
         /// What the surface has.
         unit: &'static str,
@@ -53,7 +53,7 @@ pub(super) fn read<T: DeserializeOwned>(
     Ok((entry.name.clone(), value))
 }
 
-/// What a file's `unit` says: `relative`, or `mm` and `cm`, which keys tell apart.
+/// What a file's `unit` is: `relative`, or `mm` and `cm`, which keys tell apart.
 #[derive(Deserialize, Clone, Copy, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum FileUnit {

@@ -19,7 +19,7 @@ stage::inputs! {
         files: Arc<Files>,
         /// The surface.
         mesh: Arc<Mesh>,
-        /// Cameras: where the ground is said to be.
+        /// Cameras: where the ground is given.
         cameras: Option<Arc<Cameras>>,
     }
 }
@@ -104,8 +104,8 @@ impl Stage for ImportLandmarks {
             })
         });
         let found = found.collect::<Result<Vec<_>, _>>()?;
-        let stands = standing(mesh, input.cameras.as_deref()).ok_or(BodyError::NoBody)?;
-        let body = stands.body;
+        let placed = standing(mesh, input.cameras.as_deref()).ok_or(BodyError::NoBody)?;
+        let body = placed.body;
         let mut all = Landmarks {
             unit,
             found,
@@ -116,7 +116,7 @@ impl Stage for ImportLandmarks {
             all.ground_mm = Some(body.ground);
             all.stature_mm = Some(body.stature);
             all.stature_sigma_mm = body.stature_sigma;
-            stands.word.iter().for_each(|word| ctx.warn(word));
+            placed.word.iter().for_each(|word| ctx.warn(word));
         }
         Ok(all)
     }

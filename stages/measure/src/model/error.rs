@@ -8,7 +8,7 @@ pub enum ModelError {
     Syntax {
         /// The file.
         name: String,
-        /// What the reader says, with the line.
+        /// What the reader reports, with the line.
         why: String,
     },
     /// Another format or other readings.
@@ -20,7 +20,7 @@ pub enum ModelError {
         name: String,
         /// `format` or `readings_version`.
         what: &'static str,
-        /// What the file says.
+        /// What the file has.
         got: u32,
         /// What would fit.
         want: u32,

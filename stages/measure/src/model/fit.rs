@@ -10,7 +10,7 @@
 //! ```
 //!
 //! which is Bayes' rule for normal distributions where r depends on L through v alone: made bodies
-//! line up readings with the survey's definitions (c, A) and say how well they are read (E), and
+//! line up readings with the survey's definitions (c, A) and give how well they are read (E), and
 //! nothing of where ribs are.
 
 use super::file::{LevelModel, Population, Scope};
@@ -54,7 +54,7 @@ fn of_people(people: &[&Person], lined_up: &LineUp) -> Option<Normal> {
     Some(Normal { mean, covariance })
 }
 
-/// The same people at any size: the stature says nothing any more.
+/// The same people at any size: the stature gives nothing any more.
 fn any_size(normal: &Normal) -> Normal {
     let mut freed = normal.clone();
     for i in 1..WIDTH {

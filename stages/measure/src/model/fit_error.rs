@@ -13,7 +13,7 @@ pub enum FitError {
         /// How many are needed.
         least: usize,
     },
-    /// Columns that say the same.
+    /// Columns that are the same.
     #[error("`{0}` cannot be lined up: its measures depend on each other")]
     Singular(&'static str),
 }

@@ -19,7 +19,7 @@ pub(crate) struct HeldOut {
     pub level: &'static str,
     /// How many bodies.
     pub bodies: usize,
-    /// Mean error of the height, told less true. \[mm\]
+    /// Mean error of the height, estimated less true. \[mm\]
     pub bias_mm: f64,
     /// Median of the height's absolute error. \[mm\]
     pub middle_mm: f64,
@@ -64,7 +64,7 @@ impl HeldOut {
 
 /// One body's error.
 pub(crate) struct Miss {
-    /// Told less true. \[mm\]
+    /// Estimated less true. \[mm\]
     pub mm: f64,
     /// Whether the truth is within the 90 % interval.
     pub inside: bool,

@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn the_larynx_lies_between_notch_and_angle_and_a_long_throat_is_less_sure() {
+    fn the_larynx_is_between_notch_and_angle_and_a_long_throat_is_less_sure() {
         let (long, short) = (larynx(notch(-1.0), 0.3), larynx(notch(-0.3), 0.04));
         proof::near(long.value, 0.3 - 1.3 / 3.0, 1e-9);
         assert!(short.sigma < long.sigma, "{short:?}");

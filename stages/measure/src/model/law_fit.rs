@@ -1,4 +1,4 @@
-//! Fits laws on a table of made bodies, and says how they do on families left out.
+//! Fits laws on a table of made bodies, and how they do on families left out.
 
 use super::fit_error::FitError;
 use super::held_out::{HeldOut, Miss, quantile, summary, tenth};
@@ -84,7 +84,7 @@ pub(crate) fn fit_law(law: Place, samples: &[&LawSample]) -> Result<Law, FitErro
             missed.extend(out.iter().filter_map(|s| off(&without, s)));
         }
     }
-    // One family says nothing of others.
+    // One family shows nothing of the rest.
     let sigma = match missed.is_empty() {
         true => all.sigma,
         false => quantile(missed.into_iter(), 0.9) / NINE_IN_TEN,
@@ -115,7 +115,7 @@ fn families<'a>(samples: &[&'a LawSample]) -> Vec<&'a str> {
     all
 }
 
-/// The law of samples as if all others were like them: sigma is what they scatter by.
+/// The law of samples as if all the rest were like them: sigma is what they scatter by.
 fn of_one_family(law: Place, own: &[&LawSample]) -> Result<Law, FitError> {
     if own.len() < LEAST {
         return Err(FitError::Few {

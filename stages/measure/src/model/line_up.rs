@@ -118,7 +118,7 @@ pub(crate) fn line_up(made: &[&Made], bias: &[(usize, f64)]) -> Result<LineUp, F
             Some((row, m.readings.get(reading)?))
         };
         let rows: Vec<(Vec<f64>, f64)> = made.iter().filter_map(|m| row(m)).collect();
-        // What too few bodies show says nothing.
+        // What too few bodies show is noise.
         if rows.len() < LEAST {
             unknown.push(k);
             residuals.push(vec![None; made.len()]);

@@ -1,4 +1,4 @@
-//! A normal distribution over named variables: means, covariances, and what some of them say of another.
+//! A normal distribution over named variables: means, covariances, and what some of them give of another.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,7 +11,7 @@ pub(crate) struct Normal {
     pub covariance: DMatrix<f64>,
 }
 
-/// What observed variables say of one other.
+/// What observed variables give of one more.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Conditional {
     /// Its mean.
@@ -39,7 +39,7 @@ impl Normal {
         Some(Normal { mean, covariance })
     }
 
-    /// The distribution of variable `target` given the values of others. `None` where the observed
+    /// The distribution of variable `target` given the values of some. `None` where the observed
     /// covariance is singular or a value is not finite.
     pub(crate) fn given(&self, observed: &[(usize, f64)], target: usize) -> Option<Conditional> {
         self.given_noisy(observed, &[], target)

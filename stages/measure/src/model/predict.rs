@@ -42,7 +42,7 @@ struct Answered {
 }
 
 impl LevelModel {
-    /// A level from readings of a body of some stature \[mm\]. `None` where the readings say nothing,
+    /// A level from readings of a body of some stature \[mm\]. `None` where the readings give nothing,
     /// or the model does not know the level.
     pub fn estimate(
         &self,
@@ -129,7 +129,7 @@ impl LevelModel {
             own.filter_map(|p| p.normal.given_noisy(&observed, &more, target))
                 .any(|given| given.distance <= limit)
         };
-        // Made bodies stand in where people are of another size altogether: their ribs are nobody's.
+        // Made bodies serve where people are of another size altogether: their ribs are nobody's.
         let known = self.populations.iter().any(|p| p.scope == Scope::Made);
         let (from, cover) = match near(Scope::People) {
             true => (Scope::People, Cover::People),

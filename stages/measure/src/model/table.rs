@@ -13,7 +13,7 @@ pub enum TableError {
     Csv {
         /// The file.
         name: String,
-        /// What the reader says, with the line.
+        /// What the reader reports, with the line.
         why: String,
     },
     /// A column that is not there.
@@ -33,7 +33,7 @@ pub enum TableError {
         row: usize,
         /// The column.
         column: String,
-        /// What stands there.
+        /// What is there.
         value: String,
     },
     /// Too few rows of a kind.
@@ -155,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cells_are_numbers_or_empty_and_what_is_neither_is_told_with_its_place() {
+    fn cells_are_numbers_or_empty_and_what_is_neither_is_named_with_its_place() {
         let table = Table::read("t.csv", b"a,b\n1,\n2,x\n").unwrap();
         assert_eq!(table.numbers("a").unwrap(), [1.0, 2.0]);
         let stated = table.optional("b").unwrap_err().to_string();

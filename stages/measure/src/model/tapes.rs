@@ -1,4 +1,4 @@
-//! Tapes beside each other, so that an error of a level can be told as one of the tape.
+//! Tapes beside each other, so that an error of a level is one of the tape, too.
 
 /// Tapes at even steps; gaps where no section tells one. Any unit.
 #[derive(Debug, Clone)]
@@ -29,7 +29,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_tape_is_told_between_two_that_are_known() {
+    fn a_tape_is_known_between_two_that_are_known() {
         let all = vec![Some(1.0), Some(3.0), None, Some(4.0), Some(5.0)];
         let tapes = Tapes {
             from: -1.0,

@@ -38,7 +38,7 @@ stage::params! {
         #[must(give)]
         #[source(structural)]
         at: f64 = 0.5,
-        /// What people call it; its name if nothing is said.
+        /// What people call it; its name if nothing is given.
         label: String = String::new(),
     }
 }
@@ -104,11 +104,11 @@ pub(crate) fn taken_names(declared: &BTreeMap<String, OwnGirth>) -> Vec<Mistake>
             .iter()
             .chain([name])
             .find(|n| GirthId::named(n).is_some());
-        let others = declared.iter().filter(|(other, _)| *other != name);
+        let beside = declared.iter().filter(|(other, _)| *other != name);
         let met = |(other, girth): &(&String, &OwnGirth)| {
             sides(other, girth).iter().any(|n| own.contains(n))
         };
-        let why = match (given, others.clone().find(met)) {
+        let why = match (given, beside.clone().find(met)) {
             (Some(taken), _) => format!("is taken: {taken} is a girth that is always measured"),
             (None, Some((other, _))) => {
                 format!("is taken: a side of `[girth.{other}]` is called the same")

@@ -17,7 +17,7 @@ const EVEN: f64 = 0.5;
 /// those of a whole one than of one that is cut off; without legs if it reaches its ground and stature, neck and buttocks are those of a
 /// body that the model knows.
 ///
-/// `absolute` says that its lengths are millimetres.
+/// `absolute` is whether its lengths are millimetres.
 pub(crate) fn tell_hip(body: &mut Body, model: &LevelModel, absolute: bool, footing: Footing) {
     let size = size(body, absolute);
     let Some(usual) = model.hidden(&size, body.stature, Reading::Buttock) else {

@@ -14,7 +14,7 @@ stage::messages! {
 /// share of stature.
 const WRIST_SD: f64 = 0.0033;
 
-/// Tells the joints of both arms; an arm on which they cannot be told is refused. Says so if an arm is a
+/// Finds the joints of both arms; an arm without them is refused. Warns if an arm is a
 /// stranger to the laws.
 pub fn arm_joints(limbs: &mut Limbs<'_>, model: &LevelModel) -> Option<Message> {
     let mut strange = false;

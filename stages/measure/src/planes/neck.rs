@@ -1,4 +1,4 @@
-//! The plane of the neck's girth: square to the neck's axis, at a told level, never on jaw or shoulders.
+//! The plane of the neck's girth: square to the neck's axis, at an estimated level, never on jaw or shoulders.
 
 use crate::features::neck::NeckFeatures;
 use crate::features::neck_tube::{around, leaning};

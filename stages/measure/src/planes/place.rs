@@ -18,7 +18,7 @@ stage::messages! {
     THIGHS_LOW = "warn-thighs-low": "the legs join on the surface {far} below the crotch that stature and hip suggest, so the thighs are measured lower than they may be fullest, and their intervals are wider: place the feet farther apart";
 }
 
-/// Hip, waists and chest; the waist of the user's choice is called WC, the other definitions stand
+/// Hip, waists and chest; the waist of the user's choice is called WC, the other definitions are
 /// beside it under their own names.
 pub(crate) fn trunk(
     chosen: Waist,
@@ -42,14 +42,14 @@ pub(crate) fn trunk(
         Waist::HipBone => reported?.at(Level::HipBone),
     };
     let waist = placed(chosen).map(|p| at(GirthId::Waist, p).by(chosen.id()));
-    let others = [
+    let beside = [
         Waist::Natural,
         Waist::Narrowest,
         Waist::Navel,
         Waist::HipBone,
     ];
-    let others = others.into_iter().filter(|which| *which != chosen);
-    let others = others.filter_map(|which| Some(at(which.id(), placed(which)?)));
+    let beside = beside.into_iter().filter(|which| *which != chosen);
+    let beside = beside.filter_map(|which| Some(at(which.id(), placed(which)?)));
     let chest = reported.and_then(|t| t.at(Level::Chest));
     let chest = chest.map(|p| at(GirthId::Chest, p));
     for (id, there) in [
@@ -71,10 +71,10 @@ pub(crate) fn trunk(
     found.found.extend(hip.into_iter().chain(longest));
     found
         .found
-        .extend(waist.into_iter().chain(others).chain(chest));
+        .extend(waist.into_iter().chain(beside).chain(chest));
 }
 
-/// The neck, square to its axis; says so if it is a stranger to the law.
+/// The neck, square to its axis; warns if it is a stranger to the law.
 pub(crate) fn across_neck(
     lean_deg: f64,
     mesh: &Mesh,

@@ -38,7 +38,7 @@ pub(crate) struct Trunk<'a> {
 }
 
 impl<'a> Trunk<'a> {
-    /// Reads a body; `absolute` says that its lengths are millimetres.
+    /// Reads a body; `absolute` is whether its lengths are millimetres.
     pub(crate) fn new(
         body: &'a Body,
         marks: &'a Marks,

@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn ovals_beside_a_trunk_are_bridged_as_surely_as_is_told() {
+    fn ovals_beside_a_trunk_are_bridged_as_surely_as_is_given() {
         let all = bridged();
         assert!(all.len() > 250, "{} of 300", all.len());
         let worst = all.iter().map(|(off, _)| off.abs()).fold(0.0, f64::max);

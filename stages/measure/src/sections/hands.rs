@@ -7,14 +7,14 @@ use nalgebra::Point3;
 
 /// A hand and a wrist are at most so long, as a share of stature.
 const HAND: f64 = 0.13;
-/// Over so much of an arm its way is told, as a share of stature; what is shorter than half of it is
+/// Over so much of an arm its way is taken, as a share of stature; what is shorter than half of it is
 /// no arm.
 const WAY: f64 = 0.03;
 /// A ring that takes an arm in is at least so many times as large as the arm's own.
 const LARGER: f64 = 2.0;
 
 /// Whether a level section holds the hand or forearm of a side (1 left, -1 right): in the nearest
-/// slices in which that arm stands clear it runs into a larger ring, not to its fingertips, and its
+/// slices in which that arm is clear it runs into a larger ring, not to its fingertips, and its
 /// way leads on into this section.
 pub(crate) fn holds_hand(body: &Body, ring: &Ring, side: f64) -> bool {
     let z = ring.centre.z;
@@ -28,7 +28,7 @@ pub(crate) fn holds_hand(body: &Body, ring: &Ring, side: f64) -> bool {
     runs_into(body, &above, ring, side) || runs_into(body, &below, ring, side)
 }
 
-/// Whether the arm that stands clear in one of these slices, the nearest to a section first, runs
+/// Whether the arm that is clear in one of these slices, the nearest to a section first, runs
 /// into a larger ring toward the section, and is in it.
 fn runs_into(body: &Body, slices: &[&Slice], section: &Ring, side: f64) -> bool {
     let ring = |s: &Slice| arm_ring(body, &s.rings, side).cloned();

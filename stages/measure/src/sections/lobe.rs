@@ -1,5 +1,5 @@
 //! What hangs at the side of a section and is none of it: an arm that touches trunk or thigh shows as a lobe between two
-//! folds, whether or not it stands clear anywhere.
+//! folds, whether or not it is clear anywhere.
 
 use crate::features::arms::small;
 use crate::features::body::Body;

@@ -32,7 +32,7 @@ pub fn taken(
     landmark: &Landmark,
 ) -> Result<SectionMeasurement, Why> {
     match (landmark.part, body) {
-        // A forearm stands clear of the trunk, or its limb was not followed.
+        // A forearm is clear of the trunk, or its limb was not followed.
         (Part::ArmLeft | Part::ArmRight, Some(_)) if landmark.region == Region::Forearm => plain(
             mesh,
             &landmark.plane,
@@ -95,7 +95,7 @@ fn about(ring: &Ring, origin: Point3<f64>, plane: &Plane) -> Vec<Option<f64>> {
 }
 
 /// Whether the arm of a side has a section of its own at a height.
-fn stands_clear(body: &Body, z: f64, side: f64) -> bool {
+fn is_clear(body: &Body, z: f64, side: f64) -> bool {
     let slice = body.slice(z);
     slice.is_some_and(|s| arm_ring(body, &s.rings, side).is_some())
 }
@@ -134,9 +134,9 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
     let fused: Vec<&Beside> = arms
         .iter()
         .filter(|arm| z > arm.axis.point.z)
-        .filter(|arm| holds(&ring, arm.axis.at(z)) || !stands_clear(body, z, arm.side))
+        .filter(|arm| holds(&ring, arm.axis.at(z)) || !is_clear(body, z, arm.side))
         .collect();
-    // Arms that stand clear nowhere, or touch below where they do. About the chest the trunk's own sides swell, too: there
+    // Arms that are clear nowhere, or touch below where they do. About the chest the trunk's own sides swell, too: there
     // what hangs is narrower where it hangs.
     let least = match landmark.region {
         Region::Chest => PI,
@@ -144,7 +144,7 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
     };
     let known = |side: f64| fused.iter().any(|arm| arm.side == side);
     let hangs = |side: &f64| {
-        let hidden = !known(*side) && !stands_clear(body, z, *side);
+        let hidden = !known(*side) && !is_clear(body, z, *side);
         hidden && lobe(body, &ring, *side).is_some_and(|turned| turned > least)
     };
     let hanging: Vec<f64> = [1.0, -1.0].into_iter().filter(hangs).collect();
@@ -177,7 +177,7 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
     if !hanging.is_empty() {
         return Err(FUSED);
     }
-    // The highest slice below in which these arms stand clear, a little lower: above, the gap is
+    // The highest slice below in which these arms are clear, a little lower: above, the gap is
     // filled already.
     let clear = |s: &&crate::geometry::slices::Slice| {
         fused

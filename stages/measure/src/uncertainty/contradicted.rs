@@ -10,7 +10,7 @@ use shape::{
 };
 use std::collections::BTreeSet;
 
-/// So many cells are along the depth from which a photo contradicts all others (structural: samples).
+/// So many cells are along the depth from which a photo contradicts all the rest (structural: samples).
 const CELLS_A_DEPTH: f64 = 6.0;
 /// A section is searched around to this many times its size: more that is missing leaves no girth to speak of.
 const SEARCHED_SIZES: f64 = 2.0;
@@ -39,7 +39,7 @@ impl Outlines {
     }
 
     /// How much longer a section's tape would be with the places beside it that one photo alone shows as background,
-    /// where they hang together with one that is deep in all others. 0 on masks that agree. \[mm\]
+    /// where they hang together with one that is deep in all other photos. 0 on masks that agree. \[mm\]
     pub(crate) fn left_out_mm(&self, contour: &[Point3<f64>], plane: &Plane) -> f64 {
         let around = flat(contour, plane);
         let step = self.margin / CELLS_A_DEPTH;
@@ -92,7 +92,7 @@ fn window(around: &[[f64; 2]], step: f64) -> Vec<Cell> {
         .collect()
 }
 
-/// The cells that one photo denies, by what hangs together; of those, the ones with a cell deep in all others.
+/// The cells that one photo denies, by what hangs together; of those, the ones with a cell deep in all the rest.
 fn regions(denied: &[(Cell, usize, bool)]) -> Vec<Vec<Cell>> {
     let mut left: BTreeSet<(Cell, usize)> = denied.iter().map(|(c, v, _)| (*c, *v)).collect();
     let deep = denied.iter().filter(|(.., deep)| *deep);

@@ -1,4 +1,4 @@
-//! Silhouette girths of level sections, and what photos and cameras say of the surface's error.
+//! Silhouette girths of level sections, and what photos and cameras show of the surface's error.
 
 use crate::features::body::Body;
 use crate::geometry::slices::Ring;
@@ -41,8 +41,8 @@ pub(crate) fn by_silhouettes(
         return Borders::Hidden;
     }
     let origin = crate::geometry::section::centre(&taken.contour);
-    let others = limbs(body, landmark.plane.point_mm[2], &taken.contour, origin);
-    let others: Vec<&[Point3<f64>]> = others.iter().map(|r| r.curve.as_slice()).collect();
+    let beside = limbs(body, landmark.plane.point_mm[2], &taken.contour, origin);
+    let beside: Vec<&[Point3<f64>]> = beside.iter().map(|r| r.curve.as_slice()).collect();
     let views: Vec<_> = cameras
         .views
         .iter()
@@ -50,7 +50,7 @@ pub(crate) fn by_silhouettes(
         .collect();
     let all: Vec<Vec<Tangent>> = views
         .par_iter()
-        .map(|(view, mask)| tangents(&taken.contour, &others, origin, &view.camera, mask))
+        .map(|(view, mask)| tangents(&taken.contour, &beside, origin, &view.camera, mask))
         .collect();
     let all = all.concat();
     if let Some(support) = support_girth(&all) {

@@ -8,7 +8,7 @@ use nalgebra::Point3;
 use shape::{Cameras, Girth, GirthId, Landmark, NINE_IN_TEN, Note, Refusal, Sigmas, Split};
 use std::f64::consts::TAU;
 
-/// From this share of a tape on it is told that no outline confirms it.
+/// From this share of a tape on it is noted that no outline confirms it.
 const OPEN: f64 = 0.012;
 /// How much longer than its tape the skin around a waist may be: more points to a hole.
 const WAIST_FOLDS: f64 = 1.05;
@@ -19,7 +19,7 @@ pub(crate) struct Seen {
     pub(crate) borders: Borders,
     /// How much of its tape no outline confirms; `None` where nobody looked. \[mm\]
     pub(crate) open_mm: Option<f64>,
-    /// How much longer the tape would be with what one photo alone denies, against all others; 0 where nobody looked. \[mm\]
+    /// How much longer the tape would be with what one photo alone denies, against all the rest; 0 where nobody looked. \[mm\]
     pub(crate) left_out_mm: f64,
     /// How much longer the tape is by clothes that hang away from the legs at their hem; 0 where none do. \[mm\]
     pub(crate) worn_mm: f64,
@@ -29,7 +29,7 @@ pub(crate) struct Seen {
 pub(crate) struct Sure<'a> {
     /// Even error along the normal, as declared and by the cells. \[mm\]
     pub(crate) surface_mm: f64,
-    /// How far the surface stands off the girths of silhouettes, along its normal. \[mm\]
+    /// How far the surface is off the girths of silhouettes, along its normal. \[mm\]
     pub(crate) off_mm: f64,
     /// How sure cameras and scale are.
     pub(crate) cameras: Option<&'a Cameras>,
@@ -46,7 +46,7 @@ impl Sure<'_> {
         libm::hypot(self.surface_mm, by_cameras.unwrap_or(0.0))
     }
 
-    /// The same where no silhouette tells the girth: what they say of others widens it. \[mm\]
+    /// The same where no silhouette gives the girth: what they show of other girths widens it. \[mm\]
     fn unseen(&self, at: Point3<f64>) -> f64 {
         libm::hypot(self.surface(at), self.off_mm)
     }

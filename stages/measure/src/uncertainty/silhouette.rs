@@ -37,10 +37,10 @@ fn cover(mask: &Mask, at: Point2<f64>) -> Option<f64> {
 }
 
 /// The two tangents that one photo gives of a level section, where its borders show and no other
-/// limb's outline is near. `curve` and `others` are at one height; `origin` is what supports are from.
+/// limb's outline is near. `curve` and `beside` are at one height; `origin` is what supports are from.
 pub fn tangents(
     curve: &[Point3<f64>],
-    others: &[&[Point3<f64>]],
+    beside: &[&[Point3<f64>]],
     origin: Point3<f64>,
     camera: &Camera,
     mask: &Mask,
@@ -75,7 +75,7 @@ pub fn tangents(
                 .fold((f64::MAX, f64::MIN), |e, d| (e.0.min(d), e.1.max(d)));
             near < clearance && far > -clearance
         };
-        if others.iter().any(met) {
+        if beside.iter().any(met) {
             return None;
         }
         let at = |d: f64| Point3::new(touch.x + n.0 * d, touch.y + n.1 * d, touch.z);

@@ -5,7 +5,7 @@ use crate::geometry::section::{hull, length};
 use nalgebra::{Point2, Point3, Vector2};
 use std::f64::consts::TAU;
 
-/// Directions without an outline that are told of: from here on, and up to here. \[rad\]
+/// Directions without an outline that are noted: from here on, and up to here. \[rad\]
 const OPEN: std::ops::Range<f64> = 20.0 * TAU / 360.0..150.0 * TAU / 360.0;
 /// How far beyond a stretch its corner is looked for, to either side. \[rad\]
 const BESIDE: f64 = 0.1;
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn a_corner_that_no_outline_confirms_is_told_and_a_round_front_is_not() {
+    fn a_corner_that_no_outline_confirms_is_noted_and_a_round_front_is_not() {
         let half = 33f64.to_radians();
         let every = |step: usize| {
             (0..360)

@@ -34,7 +34,7 @@ fn arms_that_are_one_with_the_trunk_are_no_part_of_its_girths() {
 
 /// Upper arms that are flat at the shoulder and deep above the elbow, as muscles make them.
 #[test]
-fn an_arm_that_stands_clear_is_taken_whole_whether_round_or_not() {
+fn an_arm_that_is_clear_is_taken_whole_whether_round_or_not() {
     let mut solid = built(1750.0, 1.0, 35.0);
     for part in &mut solid.parts {
         if let SolidPart::Limb {

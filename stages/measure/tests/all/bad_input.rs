@@ -40,7 +40,7 @@ fn stack(levels: &[(f64, [f64; 2], [f64; 2])], round: f64) -> SolidPart {
     }
 }
 
-/// Nothing is told, for a reason.
+/// Nothing is given, for a reason.
 fn all_refused((landmarks, girths): &(Landmarks, Girths), why: Refusal) {
     let names: Vec<&str> = girths.girths.iter().map(|g| g.name.as_str()).collect();
     assert_eq!(names, [""; 0]);
@@ -54,7 +54,7 @@ fn all_refused((landmarks, girths): &(Landmarks, Girths), why: Refusal) {
 }
 
 #[test]
-fn a_body_that_lies_or_stands_on_its_head_is_refused() {
+fn a_body_that_is_lying_or_upside_down_is_refused() {
     let body = standing();
     let lying = turned(&body, |[x, y, z]| [x, -z, y]);
     all_refused(&measured(lying), Refusal::NotUpright);
@@ -161,7 +161,7 @@ fn under_a_coat_there_are_no_legs_to_tell_levels_from() {
     all_refused_but_ground(&measured(meshed(&skirt, 10.0)));
 }
 
-/// Nothing is told because there are no legs.
+/// Nothing is given because there are no legs.
 fn all_refused_but_ground((_, girths): &(Landmarks, Girths)) {
     let names: Vec<&str> = girths.girths.iter().map(|g| g.name.as_str()).collect();
     assert_eq!(names, [""; 0]);
@@ -176,7 +176,7 @@ fn all_refused_but_ground((_, girths): &(Landmarks, Girths)) {
 }
 
 #[test]
-fn a_dress_form_on_its_stand_has_no_stature_and_no_levels() {
+fn a_dress_form_on_its_pole_has_no_stature_and_no_levels() {
     let form = Solid {
         parts: vec![
             stack(

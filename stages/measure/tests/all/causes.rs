@@ -1,4 +1,4 @@
-//! A body that is refused says what broke it: photos, outlines, a lost half; once, for all girths.
+//! A body that is refused names what broke it: photos, outlines, a lost half; once, for all girths.
 
 use crate::made;
 
@@ -124,7 +124,7 @@ fn with_lost(
     (girths, heard.0.into_inner().unwrap())
 }
 
-/// The one reason of all that is missing, told once.
+/// The one reason of all that is missing, once.
 #[track_caller]
 fn reported((girths, warned): (Girths, Vec<String>)) -> Missing {
     assert!(girths.girths.is_empty());

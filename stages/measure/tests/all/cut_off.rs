@@ -23,7 +23,7 @@ fn why<'a>(girths: &'a Girths, name: &str) -> &'a str {
 }
 
 #[test]
-fn a_body_without_a_head_has_no_stature_and_says_why() {
+fn a_body_without_a_head_has_no_stature_and_why_is_named() {
     let whole = measured(meshed(&built(30.0)));
     assert!((whole.stature_mm.unwrap() / 1700.0 - 1.0).abs() < 0.03);
     let mut headless = built(30.0);

@@ -86,7 +86,7 @@ fn a_set_holds_its_own_girths_and_no_other() {
 }
 
 #[test]
-fn a_girth_of_the_users_own_lies_where_he_says_or_is_refused() {
+fn a_girth_of_the_users_own_is_where_it_was_put_or_is_refused() {
     let mesh = mesh();
     let own = |part, at| OwnGirth {
         part,
@@ -128,7 +128,7 @@ fn a_girth_of_the_users_own_lies_where_he_says_or_is_refused() {
 }
 
 #[test]
-fn a_name_that_is_taken_is_told() {
+fn a_name_that_is_taken_is_named() {
     let params = LandmarkParams {
         girth: Named([("WC".to_owned(), OwnGirth::default())].into()),
         ..Default::default()
@@ -220,7 +220,7 @@ fn without_a_scale_lengths_are_relative_and_nothing_needs_centimetres() {
     assert_eq!(relative.unit, Unit::Relative);
     assert_eq!((relative.bmi, relative.volume_l), (None, None));
     assert!(relative.ratios.iter().any(|r| r.0 == "WHR"));
-    // Cameras that were given vouch for no scale: unknown, not zero, and the interval stands.
+    // Cameras that were given vouch for no scale: unknown, not zero, and the interval stays.
     let given = of(Scale::Given, None);
     let waist = given.get("WC").unwrap();
     assert_eq!((given.unit, waist.sigmas.scale_mm), (Unit::Metric, None));
@@ -242,7 +242,7 @@ impl Host for Heard {
 }
 
 #[test]
-fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
+fn a_child_is_put_beside_the_growth_reference_and_what_lacks_is_warned_of() {
     let mesh = Arc::new(made::meshed(&made::built(1400.0, 1.0, 30.0), 12.0));
     let reported = |person: Person, day: Option<&str>| {
         let person = Person {

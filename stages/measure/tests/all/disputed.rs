@@ -1,4 +1,4 @@
-//! Lengths that contradict each other: what depends on either is not given, and says why.
+//! Lengths that contradict each other: what depends on either is not given, with why.
 
 use crate::made;
 
@@ -72,7 +72,7 @@ fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_
         off.missing
     );
     assert!(off.get("WC").is_some(), "relative");
-    // Where cameras of elsewhere say that they are in millimetres, no girth is left.
+    // Where cameras of elsewhere claim that they are in millimetres, no girth is left.
     let given = of(Scale::Given, 2.19 * tall);
     assert_eq!(
         (given.bmi, given.volume_l, given.stature_mm),

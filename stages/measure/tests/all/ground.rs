@@ -1,4 +1,4 @@
-//! Where a body stands: soles on the surface, held against the ground that cameras tell.
+//! Where the ground is: soles on the surface, compared with the ground of the cameras.
 
 use crate::made;
 
@@ -62,7 +62,7 @@ fn landmarks(mesh: Mesh, ground_mm: f64, scale: Scale) -> Landmarks {
 }
 
 #[test]
-fn a_ground_that_the_body_does_not_touch_is_told_and_the_soles_are_taken() {
+fn a_ground_that_the_body_does_not_touch_is_named_and_the_soles_are_taken() {
     let mesh = with(|_| {});
     assert_eq!(near(&mesh, None, 0.0).word, None);
     assert_eq!(near(&mesh, Some(mat()), 0.0).word, None);
@@ -167,7 +167,7 @@ fn one_foot_tells_the_ground_and_none_leaves_it_to_the_mat() {
 }
 
 #[test]
-fn on_its_toes_and_in_shoes_a_body_stands_on_what_is_lowest() {
+fn on_its_toes_and_in_shoes_a_body_rests_on_what_is_lowest() {
     let mut toes = with(|_| {});
     for p in &mut toes.positions {
         // Heels 60 mm up; the balls of the feet stay.

@@ -1,4 +1,4 @@
-//! The level model as a file: what it tells, what it says of strangers, and which files are refused.
+//! The level model as a file: what it gives, what it gives of strangers, and which files are refused.
 
 use measure::{Cover, Level, LevelModel, Place, Reading, Readings};
 
@@ -15,23 +15,23 @@ fn text() -> String {
     };
     format!(
         "format = 1\nreadings_version = {version}\nabout = \"test\"\nreadings = [\"ln_stature\", \"buttock\"]\nlevels = [\"waist\"]\n\
-         limit = [6.6, 9.2]\nreading_sigma = [0.001, 0.002]\nrepeat = [[0.0], [0.0, 0.000004]]\n{people}{made}\n{notch}{others}\n[[table]]\nname = \"t\"\n[[held_out]]\nlevel = \"waist\"\n[end]\nheld_out = 1\n",
+         limit = [6.6, 9.2]\nreading_sigma = [0.001, 0.002]\nrepeat = [[0.0], [0.0, 0.000004]]\n{people}{made}\n{notch}{laws}\n[[table]]\nname = \"t\"\n[[held_out]]\nlevel = \"waist\"\n[end]\nheld_out = 1\n",
         version = measure::READINGS_VERSION,
         people = population("people", "people", 0.0),
         made = population("made", "made", -0.1),
         notch = notch(),
-        others = others(),
+        laws = laws(),
     )
 }
 
 /// A law of a place: 0.1 for each unit of one feature.
-fn law(place: Place, told_by: usize) -> String {
+fn law(place: Place, by_features: usize) -> String {
     let n = place.features().len();
     let row = |i: usize| {
         let mut row = vec![0.0; i + 1];
         row[i] = if i < n { 0.01 } else { 0.0002 };
         if i == n {
-            row[told_by] = 0.001;
+            row[by_features] = 0.001;
         }
         format!("{row:?}")
     };
@@ -51,7 +51,7 @@ fn notch() -> String {
 }
 
 /// Laws of all other places.
-fn others() -> String {
+fn laws() -> String {
     let all = Place::ALL.into_iter().filter(|p| *p != Place::Notch);
     all.map(|place| law(place, 0)).collect()
 }
@@ -67,7 +67,7 @@ fn readings(stature_mm: f64, buttock: f64) -> Readings {
 }
 
 #[test]
-fn a_level_is_told_with_its_scatter_and_what_repeats() {
+fn a_level_comes_with_its_scatter_and_what_repeats() {
     let model = read(&text()).unwrap();
     let reported = model
         .estimate(&readings(1700.0, 0.49), 1700.0, Level::Waist)
@@ -97,7 +97,7 @@ fn a_level_is_told_with_its_scatter_and_what_repeats() {
 }
 
 #[test]
-fn a_body_beyond_the_people_is_told_by_made_ones_and_beyond_both_with_wider_intervals() {
+fn a_body_beyond_the_people_is_known_by_made_ones_and_beyond_both_with_wider_intervals() {
     let model = read(&text()).unwrap();
     let tell = |stature: f64, buttock| {
         let read = readings(stature, buttock);
@@ -144,7 +144,7 @@ fn readings_that_are_of_something_else_hardly_move_levels() {
 }
 
 #[test]
-fn a_place_is_told_by_its_law_and_repeats_only_where_the_file_says_how() {
+fn a_place_is_known_by_its_law_and_repeats_only_where_the_file_has_how() {
     let model = read(&text()).unwrap();
     let mut features = [0.0; 4];
     features[3] = 0.3;

@@ -13,7 +13,7 @@ const SHOULDER: [f64; 3] = [165.0, 6.0, 1415.0];
 /// Lengths of upper arm, forearm and hand. \[mm\]
 const ARM: [f64; 3] = [320.0, 255.0, 150.0];
 
-/// How limbs are held. \[°\]
+/// How limbs hang. \[°\]
 #[derive(Clone, Copy)]
 struct Pose {
     arm: f64,
@@ -118,7 +118,7 @@ fn standing(solid: &Solid, cell_mm: f64) -> (Mesh, f64) {
     (mesh, low)
 }
 
-/// The formula's tape of a limb alone at the plane of its girth, the solid lowered to stand.
+/// The formula's tape of a limb alone at the plane of its girth, the solid lowered onto the ground.
 fn formula(solid: &Solid, low: f64, girths: &Girths, name: &str) -> f64 {
     let mut plane = girths.get(name).unwrap().plane;
     plane.point_mm[2] += low;
@@ -210,7 +210,7 @@ fn every_limbs_girth_is_its_own_in_every_pose() {
             .fold((f64::MAX, 0.0f64), |e, x| (e.0.min(*x), e.1.max(*x)));
         (low, high)
     };
-    // However the arm is held, near the same place of it: these cones show no elbow where they are straight.
+    // However the arm hangs, near the same place of it: these cones show no elbow where they are straight.
     let (low, high) = most(|a| a.1);
     assert!(high / low < 1.09, "upper arms from {low} to {high} mm");
     let (low, high) = most(|a| a.0);
@@ -218,7 +218,7 @@ fn every_limbs_girth_is_its_own_in_every_pose() {
 }
 
 #[test]
-fn shares_of_a_bent_limb_lie_on_its_own_pieces() {
+fn shares_of_a_bent_limb_are_on_its_own_pieces() {
     let pose = POSES[4];
     let (mesh, low) = standing(&posed(pose), 12.0);
     let body = body(&mesh, 0.0).unwrap();

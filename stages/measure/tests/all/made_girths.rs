@@ -40,7 +40,7 @@ fn hips_and_calves_are_right_and_their_intervals_hold() {
     // Conservative: the surface's part is that of a worse surface than these.
     for girth in ["HC", "TC_", "CFC_", "AC_"] {
         let all = errors(girth);
-        let held = all.iter().filter(|e| e.1).count() as f64 / all.len() as f64;
-        assert!(held >= 0.87, "{girth}: {held}");
+        let share = all.iter().filter(|e| e.1).count() as f64 / all.len() as f64;
+        assert!(share >= 0.87, "{girth}: {share}");
     }
 }

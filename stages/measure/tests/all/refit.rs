@@ -42,13 +42,13 @@ fn a_refit_writes_the_model_that_ships() {
     std::fs::write(&path, &refit).unwrap();
     assert!(
         refit == shipped,
-        "models/levels-1.toml is not what its tables give; the refit lies in {}",
+        "models/levels-1.toml is not what its tables give; the refit is in {}",
         path.display()
     );
 }
 
 #[test]
-fn a_fit_without_one_of_its_tables_says_which() {
+fn a_fit_without_one_of_its_tables_names_it() {
     let stated = fitted(&["ansur2.csv"]).unwrap_err();
     assert_eq!(stated, "there is no made-bodies.csv among the files");
 }
@@ -75,8 +75,8 @@ fn intervals_of_levels_hold_on_bodies_that_no_fit_has_seen() {
             .iter()
             .map(|e| e["coverage_of_90"].as_float().unwrap() * bodies(e))
             .sum();
-        let held = inside / own.iter().map(|e| bodies(e)).sum::<f64>();
+        let share = inside / own.iter().map(|e| bodies(e)).sum::<f64>();
         assert_eq!(own.len(), families(level).len());
-        assert!((0.85..=0.95).contains(&held), "{level}: {held}");
+        assert!((0.85..=0.95).contains(&share), "{level}: {share}");
     }
 }

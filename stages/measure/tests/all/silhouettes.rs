@@ -58,8 +58,8 @@ fn silhouette(camera: &Camera) -> Mask {
     mask
 }
 
-fn seen(others: &[&[Point3<f64>]]) -> Vec<Tangent> {
-    // What the surface says is 6 mm too large: silhouettes must not believe it.
+fn seen(beside: &[&[Point3<f64>]]) -> Vec<Tangent> {
+    // What the surface gives is 6 mm too large: silhouettes must not believe it.
     let surface: Vec<Point3<f64>> = ellipse(720)
         .iter()
         .map(|p| Point3::new(p.x * 1.04, p.y * 1.04, p.z))
@@ -70,7 +70,7 @@ fn seen(others: &[&[Point3<f64>]]) -> Vec<Tangent> {
             let mask = silhouette(&camera);
             tangents(
                 &surface,
-                others,
+                beside,
                 Point3::new(5.0, -3.0, 1000.0),
                 &camera,
                 &mask,

@@ -48,7 +48,7 @@ fn touching(stout: f64, down_to: f64) -> Solid {
     solid
 }
 
-/// What is measured of a surface; `firm` has it stand on a mat at nought.
+/// What is measured of a surface; `firm` has it on a mat at nought.
 fn measured(mesh: Mesh, firm: bool) -> Girths {
     let mesh = Arc::new(mesh);
     let cameras = firm.then(|| {
@@ -140,7 +140,7 @@ fn a_lost_leg_costs_the_legs_alone() {
 }
 
 #[test]
-fn under_a_skirt_to_the_floor_what_lies_above_it_is_measured_with_wider_levels() {
+fn under_a_skirt_to_the_floor_what_is_above_it_is_measured_with_wider_levels() {
     let free = measured(meshed(&built(TALL, 1.0, 30.0), 10.0), true);
     let mut skirt = built(TALL, 1.0, 30.0);
     skirt
@@ -162,7 +162,7 @@ fn under_a_skirt_to_the_floor_what_lies_above_it_is_measured_with_wider_levels()
 
 /// A body whose back is straight from the shins to the shoulder blades.
 #[test]
-fn a_hip_that_does_not_show_lies_where_the_rest_of_the_body_tells_it_and_is_as_unsure() {
+fn a_hip_that_does_not_show_is_where_the_rest_of_the_body_puts_it_and_is_as_unsure() {
     let free = measured(meshed(&built(TALL, 1.0, 30.0), 10.0), true);
     let mut flat = touching(1.0, 330.0);
     flat.parts.push(SolidPart::Limb {

@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn places_weigh_what_is_told_of_them() {
+    fn places_weigh_what_is_known_of_them() {
         let reported = |a, b, c, sigma| Constraint { a, b, c, sigma };
         let ([x, y], cov) =
             places(&[reported(1.0, 0.0, 3.0, 1.0), reported(-1.0, 1.0, 4.0, 2.0)]).unwrap();

@@ -27,7 +27,7 @@ pub struct Knot {
 const STEP: f64 = 0.005;
 const WITHIN: f64 = 0.13;
 const OFF: f64 = 0.03;
-/// Steps over which the line's direction is told, to either side (structural: samples).
+/// Steps over which the line's direction is taken, to either side (structural: samples).
 const REACH: usize = 5;
 /// Over so many steps of a bend, up to where rings that jump are no knots, what counts as a jump grows to
 /// that factor: an upper arm is wider than its forearm, a trunk much wider.

@@ -18,7 +18,7 @@ const END: f64 = 0.008;
 const BENT: f64 = 12.0 * std::f64::consts::PI / 180.0;
 /// How sure a knee is by a bend of a right angle, as a share of stature.
 const BEND: f64 = 0.005;
-/// An ankle is at most so high, as a share of stature: what is higher stands on its toes, or in boots,
+/// An ankle is at most so high, as a share of stature: what is higher is on its toes, or in boots,
 /// and its height tells nothing of the knee's.
 const ANKLE: f64 = 0.09;
 /// How far the ankle's joint is under its narrowest, as a share of stature: malleolus and girth of the
@@ -34,13 +34,13 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
     let ankle = narrowest(knots, 0.06 * stature..0.16 * stature, 0.14 * stature)?;
     let a = knots[ankle].s;
     let high = knots[ankle].centre.z - ground;
-    let stands = high < ANKLE * stature;
+    let flat = high < ANKLE * stature;
     let sole = a - high.min(ANKLE * stature);
     let shank = &knots[ankle..];
     let end = knots.last()?.s;
     let bend = bend(shank, 0.08 * stature, 0.03 * stature).filter(|b| b.angle > BENT);
     let mut reported = vec![
-        match stands {
+        match flat {
             // x = sole + r (y - sole)
             true => Constraint {
                 a: 1.0,

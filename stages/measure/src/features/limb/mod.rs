@@ -61,13 +61,13 @@ const CELL: f64 = 1.0 / 160.0;
 const FACES: f64 = 1.0 / 40.0;
 /// Steps of the bands (structural: samples).
 const BAND: f64 = 0.005;
-/// Arms and legs stand out at least so far, as a share of stature.
+/// Arms and legs reach out at least so far, as a share of stature.
 const ARM: f64 = 0.2;
 const LEG: f64 = 0.12;
 /// Feet are lower than this share of stature, hands higher.
 const LOW: f64 = 0.15;
 
-/// Follows the limbs of a body. Where an arm's joints are is not told yet.
+/// Follows the limbs of a body. Where an arm's joints are is not known yet.
 pub fn limbs<'a>(mesh: &'a Mesh, body: &Body) -> Limbs<'a> {
     let stature = body.stature;
     let cuts = Cuts::new(mesh, FACES * stature);

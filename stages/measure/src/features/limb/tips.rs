@@ -2,7 +2,7 @@
 //!
 //! A hand or a foot is a peak of the way from the crown. Going down from the peaks, the land around
 //! each grows until it meets the land of another: a foot's meets the other's at the crotch, a hand's
-//! that of the trunk at the armpit. Peaks that stand out little over their meeting, as fingers and
+//! that of the trunk at the armpit. Peaks that rise little over their meeting, as fingers and
 //! toes do, are no extremities (persistence; Edelsbrunner, Letscher, Zomorodian 2002).
 
 use crate::features::limb::graph::Graph;
@@ -15,11 +15,11 @@ pub(crate) struct Tip {
     pub(crate) meets: f64,
     /// The node where it does: crotch or armpit.
     pub(crate) fold: u32,
-    /// How far it stands out over that. \[mm\]
+    /// How far it rises over that. \[mm\]
     pub(crate) long: f64,
 }
 
-/// Peaks of `way` that stand out at least `least`, in falling order of the way. \[mm\]
+/// Peaks of `way` that rise at least `least`, in falling order of the way. \[mm\]
 pub(crate) fn tips(graph: &Graph, way: &[f64], least: f64) -> Vec<Tip> {
     let mut order: Vec<u32> = (0..way.len() as u32)
         .filter(|n| way[*n as usize].is_finite())
@@ -51,7 +51,7 @@ pub(crate) fn tips(graph: &Graph, way: &[f64], least: f64) -> Vec<Tip> {
         for other in &around[1..] {
             up[*other as usize] = first;
             if way[*other as usize] - here >= least {
-                // Both stand out: each ends here, where it has not ended before.
+                // Both rise: each ends here, where it has not ended before.
                 for peak in [*other, first] {
                     if met[peak as usize] == NONE {
                         met[peak as usize] = n;
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn three_of_four_arms_of_a_cross_stand_out_from_the_end_of_the_fourth() {
+    fn three_of_four_arms_of_a_cross_rise_from_the_end_of_the_fourth() {
         let mesh = cross([60, 40, 50, 3]);
         let graph = Graph::new(&mesh, 1.0);
         let end = (0..graph.at.len())
