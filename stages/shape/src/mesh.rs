@@ -205,14 +205,13 @@ impl Adjacency {
         let corners = mesh.faces.iter().enumerate();
         let by_face = corners.flat_map(|(f, face)| face.map(|v| (v, f as u32)));
         let (face_starts, faces) = rows(count, by_face);
-        let both = |&[a, b, c]: &[u32; 3]| [(a, b), (b, a), (b, c), (c, b), (c, a), (a, c)];
-        let (starts, twice) = rows(count, mesh.faces.iter().flat_map(both));
-        // Each neighbour was met in two faces.
-        let (mut vertex_starts, mut vertices) = (vec![0], Vec::with_capacity(twice.len() / 2));
+        let (mut vertex_starts, mut vertices) = (vec![0], Vec::with_capacity(faces.len()));
         let mut ring = vec![];
-        for v in 0..count {
+        for (v, row) in face_starts.windows(2).enumerate() {
+            let here = faces[row[0] as usize..row[1] as usize].iter();
+            let corners = here.flat_map(|f| mesh.faces[*f as usize]);
             ring.clear();
-            ring.extend_from_slice(&twice[starts[v] as usize..starts[v + 1] as usize]);
+            ring.extend(corners.filter(|c| *c as usize != v));
             ring.sort_unstable();
             ring.dedup();
             vertices.extend_from_slice(&ring);

@@ -5,6 +5,7 @@ mod collapse;
 mod edge;
 mod flip;
 mod order;
+mod rings;
 mod split;
 
 use nalgebra::Vector3;
@@ -20,22 +21,9 @@ pub fn remesh(mesh: &Mesh, edge_mm: f64, rounds: usize) -> Mesh {
     };
     let (least, most) = (0.8 * edge_mm, 4.0 / 3.0 * edge_mm);
     for _ in 0..rounds {
-        for _ in 0..6 {
-            if !split::split(&mut mesh, most) {
-                break;
-            }
-        }
-        for _ in 0..12 {
-            if !collapse::collapse(&mut mesh, least, most) {
-                break;
-            }
-        }
-        for _ in 0..3 {
-            if !flip::flip(&mut mesh) {
-                break;
-            }
-        }
-        let around = Adjacency::new(&mesh);
+        split::split(&mut mesh, most, 6);
+        collapse::collapse(&mut mesh, least, most, 12);
+        let around = flip::flip(&mut mesh, 3);
         relax(&mut mesh, &around);
     }
     order::ordered(&mesh)
@@ -79,7 +67,7 @@ mod tests {
         for edge in [2.0, 4.0, 9.0, 20.0] {
             let mesh = remesh(&ball, edge, 4);
             assert_eq!(mesh.validate_closed(), Ok(()), "edge {edge}");
-            let lengths = edges(&mesh).into_iter();
+            let lengths = edges(&mesh);
             let lengths: Vec<_> = lengths
                 .map(|(a, b)| (mesh.point(a) - mesh.point(b)).norm())
                 .collect();

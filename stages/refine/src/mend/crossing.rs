@@ -14,13 +14,11 @@ pub fn crossings(mesh: &Mesh) -> Vec<(u32, u32)> {
 /// The crossings around some faces: of all that come near any of them.
 fn search(mesh: &Mesh, around: &[u32]) -> Vec<(u32, u32)> {
     let cell = (2.0 * mesh.mean_edge()).max(1e-6);
-    let cells = |f: u32| -> Vec<[i32; 3]> {
+    let cells = |f: u32| {
         let (low, high) = bounds(&mesh.triangle(f as usize));
         let [low, high] = [low, high].map(|p| [p.x, p.y, p.z].map(|x| (x / cell).floor() as i32));
-        let plane = (low[0]..=high[0]).flat_map(|x| (low[1]..=high[1]).map(move |y| (x, y)));
-        plane
-            .flat_map(|(x, y)| (low[2]..=high[2]).map(move |z| [x, y, z]))
-            .collect()
+        let plane = (low[0]..=high[0]).flat_map(move |x| (low[1]..=high[1]).map(move |y| (x, y)));
+        plane.flat_map(move |(x, y)| (low[2]..=high[2]).map(move |z| [x, y, z]))
     };
     let all = around.len() == mesh.faces.len();
     let mut near: Vec<[i32; 3]> = vec![];
@@ -35,7 +33,7 @@ fn search(mesh: &Mesh, around: &[u32]) -> Vec<(u32, u32)> {
         .flat_map_iter(|f| {
             let near = &near;
             let wanted = move |c: &[i32; 3]| all || near.binary_search(c).is_ok();
-            cells(f).into_iter().filter(wanted).map(move |c| (c, f))
+            cells(f).filter(wanted).map(move |c| (c, f))
         })
         .collect();
     places.par_sort_unstable();

@@ -1,26 +1,25 @@
 //! Edges and faces as remeshing looks at them.
 
 use nalgebra::{Point3, Vector3};
-use shape::{Mesh, rows};
+use shape::Mesh;
 
-/// Every edge once, its lesser vertex first, ascending.
-pub(super) fn edges(mesh: &Mesh) -> Vec<(u32, u32)> {
+/// Every edge once, its lesser vertex first.
+pub(super) fn edges(mesh: &Mesh) -> impl Iterator<Item = (u32, u32)> {
     let each = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
-    let all = mesh.faces.iter().flat_map(each).filter(|(a, b)| a < b);
-    let (starts, mut ends_of) = rows(mesh.positions.len(), all);
-    let mut edges = Vec::with_capacity(ends_of.len());
-    for (v, ends) in starts.windows(2).enumerate() {
-        let ends_of = &mut ends_of[ends[0] as usize..ends[1] as usize];
-        ends_of.sort_unstable();
-        edges.extend(ends_of.iter().map(|other| (v as u32, *other)));
-    }
-    edges
+    mesh.faces.iter().flat_map(each).filter(|(a, b)| a < b)
 }
 
-/// The middle of an edge, lifted from the chord to the surface that the normals describe.
-pub(super) fn middle(mesh: &Mesh, normals: &[Vector3<f64>], a: u32, b: u32) -> [f32; 3] {
+/// The unit normal of a vertex with these faces, ascending: as [`Mesh::normals`] has it, byte for byte.
+pub(super) fn normal(mesh: &Mesh, faces: &[u32]) -> Vector3<f64> {
+    let sum = faces.iter().map(|f| area(mesh, mesh.faces[*f as usize]));
+    sum.fold(Vector3::zeros(), |sum, n| sum + n)
+        .try_normalize(0.0)
+        .unwrap_or_default()
+}
+
+/// The middle of an edge, lifted from the chord to the surface that the normals of its ends describe.
+pub(super) fn middle(mesh: &Mesh, [m, n]: [Vector3<f64>; 2], a: u32, b: u32) -> [f32; 3] {
     let (p, q) = (mesh.point(a), mesh.point(b));
-    let (m, n) = (normals[a as usize], normals[b as usize]);
     let lift = (n - m).dot(&(q - p)) / 8.0;
     let most = 0.1 * (q - p).norm();
     let up = (m + n).try_normalize(0.0).unwrap_or_default() * lift.clamp(-most, most);

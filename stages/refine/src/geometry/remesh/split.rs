@@ -3,23 +3,43 @@
 use super::edge::{edges, middle};
 use shape::Mesh;
 
-/// Splits edges longer than `most` mm. Whether there were any.
-pub(super) fn split(mesh: &mut Mesh, most: f64) -> bool {
-    let normals = mesh.normals();
-    let long: Vec<_> = edges(mesh)
-        .into_iter()
+/// Splits edges longer than `most` mm, and what they became, at most so many times.
+pub(super) fn split(mesh: &mut Mesh, most: f64, times: usize) {
+    // Edges that were there before were short enough, or are gone.
+    let mut fresh = 0;
+    for _ in 0..times {
+        let first = mesh.positions.len() as u32;
+        if !once(mesh, most, fresh) {
+            break;
+        }
+        fresh = first;
+    }
+}
+
+/// Splits the long edges that have an end from `fresh` on. Whether there were any.
+fn once(mesh: &mut Mesh, most: f64, fresh: u32) -> bool {
+    let mut long: Vec<_> = edges(mesh)
+        .filter(|(_, b)| *b >= fresh)
         .filter(|(a, b)| (mesh.point(*a) - mesh.point(*b)).norm() > most)
         .collect();
     if long.is_empty() {
         return false;
     }
+    long.sort_unstable();
+    let mut end = vec![false; mesh.positions.len()];
+    long.iter()
+        .for_each(|(a, b)| [a, b].iter().for_each(|v| end[**v as usize] = true));
+    let normals = mesh.normals();
     let first = mesh.positions.len() as u32;
     let middles: Vec<_> = long
         .iter()
-        .map(|(a, b)| middle(mesh, &normals, *a, *b))
+        .map(|(a, b)| middle(mesh, [*a, *b].map(|v| normals[v as usize]), *a, *b))
         .collect();
     mesh.positions.extend(middles);
     let cut = |a: u32, b: u32| -> Option<u32> {
+        if !(end[a as usize] && end[b as usize]) {
+            return None;
+        }
         let at = long.binary_search(&(a.min(b), a.max(b))).ok()?;
         Some(first + at as u32)
     };
