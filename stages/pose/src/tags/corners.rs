@@ -1,7 +1,7 @@
 //! Corners of a tag to a part of a pixel: its four sides as lines through their steepest points.
 
 use nalgebra::{Matrix2, Vector2};
-use shape::Gray;
+use shape::{Gray, Image};
 
 /// How far to both sides of an edge to look, as a share of the shorter side.
 const REACH: f64 = 0.09;
@@ -19,15 +19,10 @@ pub fn refined(gray: &Gray, corners: [[f64; 2]; 4]) -> [[f64; 2]; 4] {
     let at: [Vector2<f64>; 4] = corners.map(Vector2::from);
     let sides: Vec<f64> = (0..4).map(|i| (at[(i + 1) % 4] - at[i]).norm()).collect();
     let shortest = sides.iter().copied().fold(f64::MAX, f64::min);
+    let reach = (shortest * REACH).clamp(1.5, 6.0);
+    let light = Light::around(gray, &at, reach + 1.5);
     let lines: Vec<Option<Line>> = (0..4)
-        .map(|i| {
-            line(
-                gray,
-                at[i],
-                at[(i + 1) % 4],
-                (shortest * REACH).clamp(1.5, 6.0),
-            )
-        })
+        .map(|i| line(&light, at[i], at[(i + 1) % 4], reach))
         .collect();
     let mut refined = corners;
     for i in 0..4 {
@@ -46,7 +41,7 @@ pub fn refined(gray: &Gray, corners: [[f64; 2]; 4]) -> [[f64; 2]; 4] {
 }
 
 /// The line `n · x = c` of an edge between two rough corners.
-fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<Line> {
+fn line(light: &Light, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<Line> {
     let along = (b - a).try_normalize(1e-9)?;
     let across = Vector2::new(-along.y, along.x);
     let length = (b - a).norm();
@@ -54,7 +49,7 @@ fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<Lin
     let mut points = Vec::with_capacity(count);
     for k in 0..count {
         let t = length * 0.1 + k as f64 + 0.5 * (length * 0.8).fract();
-        if let Some(offset) = step(gray, a + along * t, across, reach) {
+        if let Some(offset) = step(light, a + along * t, across, reach) {
             points.push(a + along * t + across * offset);
         }
     }
@@ -72,8 +67,8 @@ fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<Lin
 
 /// Where the light steps along a short line: the centroid of the slope. The lens blurs light, not
 /// the file's gamma-coded values: an edge located in those is up to 0.3 px on its dark side.
-fn step(gray: &Gray, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> Option<f64> {
-    let (width, height) = (gray.width as f64, gray.height as f64);
+fn step(light: &Light, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> Option<f64> {
+    let [width, height] = light.whole.map(|n| n as f64);
     let end = across * (reach + 1.5);
     let inside =
         |p: Vector2<f64>| p.x >= 0.0 && p.y >= 0.0 && p.x < width - 1.0 && p.y < height - 1.0;
@@ -82,7 +77,7 @@ fn step(gray: &Gray, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> 
     }
     let value = |s: f64| {
         let p = middle + across * s;
-        light(gray, p.x, p.y)
+        light.at(p.x, p.y)
     };
     let rise = value(reach) - value(-reach);
     let spacing = 0.25;
@@ -103,17 +98,50 @@ fn step(gray: &Gray, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> 
     (strongest > 0.4 * FAINT && rise.abs() > FAINT).then(|| moment / sum)
 }
 
-/// The light between pixels, bilinear, 0..=1; inside the picture.
-fn light(gray: &Gray, x: f64, y: f64) -> f64 {
-    let (x0, y0) = (x.floor(), y.floor());
-    let (fx, fy) = (x - x0, y - y0);
-    let at = |dx: usize, dy: usize| {
-        let v = gray.at(x0 as usize + dx, y0 as usize + dy);
-        libm::pow(f64::from(v.max(0.0)) / 255.0, 2.2)
-    };
-    let top = at(0, 0) + fx * (at(1, 0) - at(0, 0));
-    let bottom = at(0, 1) + fx * (at(1, 1) - at(0, 1));
-    top + fy * (bottom - top)
+/// The light of a part of a photo, 0..=1, worked out once a pixel.
+struct Light {
+    /// Width and height of the photo, and the part's first column and row. \[px\]
+    whole: [usize; 2],
+    corner: [usize; 2],
+    part: Image<f64>,
+}
+
+impl Light {
+    /// The part around points, so far out.
+    fn around(gray: &Gray, points: &[Vector2<f64>; 4], far: f64) -> Self {
+        let whole = [gray.width, gray.height];
+        let [(left, width), (top, height)] = [0, 1].map(|i| {
+            let each = points.iter().map(|p| p[i]);
+            let low = each.clone().fold(f64::MAX, f64::min) - far;
+            let high = each.fold(f64::MIN, f64::max) + far;
+            let first = (low.floor().max(0.0) as usize).min(whole[i]);
+            let end = (high.ceil().max(0.0) as usize + 1).min(whole[i]);
+            (first, end.saturating_sub(first))
+        });
+        let row = |y: usize| &gray.row(y)[left..left + width];
+        let light = |v: &f32| libm::pow(f64::from(v.max(0.0)) / 255.0, 2.2);
+        let data = (top..top + height).flat_map(row).map(light).collect();
+        Light {
+            whole,
+            corner: [left, top],
+            part: Image {
+                width,
+                height,
+                data,
+            },
+        }
+    }
+
+    /// The light between pixels, bilinear; inside the part.
+    fn at(&self, x: f64, y: f64) -> f64 {
+        let (x0, y0) = (x.floor(), y.floor());
+        let (fx, fy) = (x - x0, y - y0);
+        let [column, row] = [x0 as usize - self.corner[0], y0 as usize - self.corner[1]];
+        let at = |dx: usize, dy: usize| self.part.at(column + dx, row + dy);
+        let top = at(0, 0) + fx * (at(1, 0) - at(0, 0));
+        let bottom = at(0, 1) + fx * (at(1, 1) - at(0, 1));
+        top + fy * (bottom - top)
+    }
 }
 
 /// A line `n · x = c` of the plane: its unit normal, and how far along it the line is.
