@@ -43,6 +43,7 @@ impl Pose {
     }
 
     /// From the world to the camera.
+    #[inline]
     pub fn apply(&self, x_in_world: &Point3<f64>) -> Vector3<f64> {
         self.rotation * x_in_world.coords + self.translation
     }
@@ -65,6 +66,7 @@ impl Intrinsics {
     }
 
     /// The pixel of a direction in the camera's frame. [`None`] behind the camera.
+    #[inline]
     pub fn project(&self, x_in_camera: &Vector3<f64>) -> Option<Point2<f64>> {
         if x_in_camera.z <= 0.0 {
             return None;
@@ -138,11 +140,13 @@ impl Camera {
     }
 
     /// The pixel of a point. [`None`] behind the camera.
+    #[inline]
     pub fn project(&self, x_in_world: &Point3<f64>) -> Option<Point2<f64>> {
         self.lens.project(&self.pose.apply(x_in_world))
     }
 
     /// The pixel of a point and its distance along the optical axis. \[px, mm\]
+    #[inline]
     pub fn project_with_depth(&self, x_in_world: &Point3<f64>) -> Option<(Point2<f64>, f64)> {
         let x = self.pose.apply(x_in_world);
         Some((self.lens.project(&x)?, x.z))

@@ -103,9 +103,8 @@ struct Envelope {
     /// The parabolas' values at their apex, and with the square of their place.
     apex: Vec<f32>,
     sums: Vec<f64>,
-    /// Those on the envelope, and where each begins to be the lowest.
-    roots: Vec<usize>,
-    starts: Vec<f64>,
+    /// Those on the envelope, by where each begins to be the lowest.
+    roots: Vec<(f64, u32)>,
     /// 1 / 2d for distances d of two apices.
     halves: Vec<f64>,
 }
@@ -125,29 +124,32 @@ impl Envelope {
         let (sums, halves) = (&self.sums, &self.halves);
         // At whole places a rounded crossing picks the same distance as an exact one.
         let meets = |p: usize, q: usize| (sums[q] - sums[p]) * halves[q - p];
-        self.roots.clear();
-        self.roots.push(0);
-        self.starts.clear();
-        self.starts.push(f64::MIN);
-        for q in 1..n {
-            let mut k = self.roots.len() - 1;
-            let mut at = meets(self.roots[k], q);
-            while at <= self.starts[k] && k > 0 {
-                k -= 1;
-                at = meets(self.roots[k], q);
-            }
-            self.roots.truncate(k + 1);
-            self.starts.truncate(k + 1);
-            self.roots.push(q);
-            self.starts.push(at);
-        }
+        self.roots.resize(n.max(self.roots.len()), (0.0, 0));
+        let roots = &mut self.roots[..n];
+        roots[0] = (f64::MIN, 0);
         let mut k = 0;
-        for (q, out) in line.iter_mut().enumerate() {
-            while self.starts.get(k + 1).is_some_and(|s| *s < q as f64) {
-                k += 1;
+        for q in 1..n {
+            let mut at = meets(roots[k].1 as usize, q);
+            while at <= roots[k].0 && k > 0 {
+                k -= 1;
+                at = meets(roots[k].1 as usize, q);
             }
-            let step = q as f32 - self.roots[k] as f32;
-            *out = step * step + self.apex[self.roots[k]];
+            k += 1;
+            roots[k] = (at, q as u32);
+        }
+        let mut first = 0;
+        for (i, (_, root)) in roots[..=k].iter().enumerate() {
+            let end = match roots[..=k].get(i + 1) {
+                Some((next, _)) if *next < 0.0 => 0,
+                Some((next, _)) => (*next as usize + 1).min(n),
+                None => n,
+            };
+            let apex = self.apex[*root as usize];
+            for (q, out) in (first..end).zip(&mut line[first..]) {
+                let step = q as f32 - *root as f32;
+                *out = step * step + apex;
+            }
+            first = first.max(end);
         }
     }
 }

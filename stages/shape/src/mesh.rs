@@ -53,6 +53,7 @@ impl Mesh {
     }
 
     /// Twice the area times the unit normal of a face. \[mm²\]
+    #[inline]
     pub fn area_vector(&self, face: usize) -> Vector3<f64> {
         let [a, b, c] = self.triangle(face);
         (b - a).cross(&(c - a))
@@ -226,12 +227,14 @@ impl Adjacency {
     }
 
     /// The faces at a vertex, ascending.
+    #[inline]
     pub fn faces(&self, vertex: u32) -> &[u32] {
         let v = vertex as usize;
         &self.faces[self.face_starts[v] as usize..self.face_starts[v + 1] as usize]
     }
 
     /// The vertices an edge away, ascending.
+    #[inline]
     pub fn vertices(&self, vertex: u32) -> &[u32] {
         let v = vertex as usize;
         &self.vertices[self.vertex_starts[v] as usize..self.vertex_starts[v + 1] as usize]

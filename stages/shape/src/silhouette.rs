@@ -33,6 +33,7 @@ impl Silhouette {
     }
 
     /// How deep inside of the silhouette's cone a point is. \[mm\] `None` where it is out of view.
+    #[inline]
     pub fn depth_inside(&self, x: &Point3<f64>) -> Option<f32> {
         let (px, depth) = self.camera.project_with_depth(x)?;
         let (w, h) = (self.distance.width as f64, self.distance.height as f64);
