@@ -5,8 +5,8 @@
 
 A SURFACE is a folder with one PLY file [mm], upright, standing on its soles, facing -y. SIZES are widths and heights of photos with
 commas: `1080x1920,540x960`; a surface may have its own: `s26@1080x1920`. Each surface is taken at each size by
-`pipelines/turning-synth.toml`: 24 photos, steps, a body that leans, hands, head and chest that move. WORK keeps what was made; what
-is there is not made again.
+`pipelines/turning-synth.toml`: 24 photos, steps, legs that step by themselves, a body that leans, hands, head and chest that move,
+rows that are read while the body turns. WORK keeps what was made; what is there is not made again.
 """
 
 import json

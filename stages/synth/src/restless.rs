@@ -1,5 +1,5 @@
-//! A living body in one photo: arms, legs and head are elsewhere than at rest, the chest is fuller, shorts hang otherwise, and
-//! the camera reads it row by row while it turns.
+//! A living body in one photo: arms, legs and head are elsewhere than at rest, arms are raised, the chest is fuller, shorts hang
+//! otherwise, and the camera reads it row by row while it turns.
 
 use crate::dice::Dice;
 use nalgebra::{Point3, Rotation3, Vector3};
@@ -17,6 +17,11 @@ const BESIDE: [f64; 2] = [0.12, 0.20];
 const HEAD_SHARE: f64 = 0.5;
 const BREATH_SHARE: f64 = 0.25;
 
+/// Where shoulders are, aside and up, as shares of height (ANSUR II: biacromial breadth 0.23, acromial height 0.82).
+const SHOULDERS: [f64; 2] = [0.11, 0.82];
+/// Heights below which nothing is an arm that is raised, structural.
+const BELOW_HANDS: [f64; 2] = [0.36, 0.40];
+
 /// Heights from which legs go their own ways, fully and not at all, as shares of height, structural.
 const LEGS: [f64; 2] = [0.06, 0.47];
 /// Heights of a hem, of where shorts begin to come nearer to the body, and of their band, as shares of height, structural.
@@ -31,6 +36,8 @@ pub(crate) struct Live {
     pub(crate) hands_mm: f64,
     /// The same of feet. \[mm\]
     pub(crate) feet_mm: f64,
+    /// How far arms are raised about the shoulders, in all photos. \[rad\]
+    pub(crate) arms_rad: f64,
     /// How far shorts are away from the legs, hanging otherwise in each photo. \[mm\]
     pub(crate) worn_mm: f64,
     /// How far the body turns while rows are read. \[rad\]
@@ -42,7 +49,8 @@ pub(crate) struct Live {
 impl Live {
     /// Whether it is the same in each.
     pub(crate) fn rests(&self) -> bool {
-        [self.hands_mm, self.feet_mm, self.worn_mm, self.read_rad] == [0.0; 4]
+        let own = [self.hands_mm, self.feet_mm, self.worn_mm, self.arms_rad];
+        own == [0.0; 4] && self.read_rad == 0.0
     }
 
     /// The body at rest in a photo, and as a camera reads it row by row.
@@ -132,6 +140,14 @@ impl Live {
                 y + arm * by[1] + on_head * head[1] - bump * front * breath + leg * foot[1],
             ];
             (p[0], p[1]) = (at[0] as f32, at[1] as f32);
+            let raised = self.arms_rad * risen(BESIDE, beside.abs()) * risen(BELOW_HANDS, height);
+            if raised != 0.0 {
+                let (s, c) = libm::sincos(beside.signum() * raised);
+                let aside = middle.x + beside.signum() * SHOULDERS[0] * tall;
+                let (from, down) = (at[0] - aside, lo.z + SHOULDERS[1] * tall - z);
+                p[0] = (aside + c * from + s * down) as f32;
+                p[2] = (z + down + s * from - c * down) as f32;
+            }
         }
     }
 }
@@ -206,6 +222,11 @@ mod tests {
         assert_eq!((far[30], far[70]), (0.0, 0.0));
         assert!((30.0..43.0).contains(&far[40]), "{far:?}");
         assert_ne!(far, moved(&shorts, 1));
+        let arms = Live {
+            arms_rad: 0.5,
+            ..rest
+        };
+        assert!(moved(&arms, 0).iter().all(|far| *far == 0.0), "a trunk");
         let rows = Live {
             read_rad: 0.1,
             ..rest

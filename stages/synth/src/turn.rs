@@ -75,6 +75,10 @@ stage::params! {
         #[range(0.0..=200.0)]
         #[source(structural)]
         feet_mm: f64 = 0.0,
+        /// How far arms are raised about the shoulders; below 0 they hang closer to the body.
+        #[range(-45.0..=90.0)]
+        #[source(structural)]
+        arms_deg: f64 = 0.0,
         /// How far shorts hang away from the legs at their hem, in folds that hang otherwise in each photo.
         #[range(0.0..=200.0)]
         #[source(structural)]
@@ -134,6 +138,7 @@ impl Stage for TakePhotos {
             hands_mm: p.restless_mm,
             feet_mm: p.feet_mm,
             worn_mm: p.worn_mm,
+            arms_rad: p.arms_deg.to_radians(),
             read_rad: p.read_deg.to_radians(),
             seed: p.seed,
         };
