@@ -2,6 +2,7 @@
 //! front on some photos.
 
 use crate::joints::Sights;
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Steps around in which azimuths are looked for (structural: 3°, refined afterwards).
@@ -31,13 +32,49 @@ pub struct Faces {
     pub swapped: bool,
 }
 
+/// What it costs that the network took a photo's left for its right, derived: it did so on 5 of 311 photos of six scans
+/// (ln 311 / 5).
+const SWAPPED: f64 = 4.1;
+
 /// The azimuth of each photo: the path around of least cost, by joints of each photo and steps from one to the next
-/// (Viterbi 1967). `height` is the body's apparent height on the plane z = 1.
+/// (Viterbi 1967), and from the last to the first as far as the turn closes. `height` is the body's apparent height on the
+/// plane z = 1.
 pub fn azimuths(sights: &Sights, photos: usize, height: f64) -> Vec<Faces> {
-    let costs = |mirrored: f64| (0..photos).map(move |i| costs(sights, i, height, mirrored));
-    let (costs, swapped): (Vec<Vec<f64>>, Vec<Vec<f64>>) = costs(1.0).zip(costs(-1.0)).unzip();
-    let step = |a: usize, b: usize| (way(a, b) / STEP).powi(2) / 2.0;
-    let mut best = costs.first().cloned().unwrap_or_default();
+    let costs = |side: f64| -> Vec<Vec<f64>> {
+        let of = |i| costs(sights, i, height, side);
+        (0..photos).map(of).collect()
+    };
+    let (right, swapped) = (costs(1.0), costs(-1.0));
+    let either = |(a, b): (&Vec<f64>, &Vec<f64>)| -> Vec<f64> {
+        let both = a.iter().zip(b);
+        both.map(|(a, b)| a.min(b + SWAPPED)).collect()
+    };
+    let all: Vec<Vec<f64>> = right.iter().zip(&swapped).map(either).collect();
+    let paths = (0..AROUND).into_par_iter().map(|first| path(&all, first));
+    let paths: Vec<(f64, Vec<usize>)> = paths.collect();
+    let best = paths.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    let path = best.unwrap_or_default().1;
+    let mut azimuth = 0.0;
+    (0..photos)
+        .map(|i| {
+            let before = if i == 0 { 0 } else { path[i - 1] };
+            azimuth += way(before, path[i]);
+            Faces {
+                azimuth,
+                swapped: swapped[i][path[i]] + SWAPPED < right[i][path[i]],
+            }
+        })
+        .collect()
+}
+
+/// The path of least cost from one place around on, and what it costs. That the last photo is a step before the first costs
+/// little more where it is not (Cauchy): of more or less than a turn.
+fn path(costs: &[Vec<f64>], first: usize) -> (f64, Vec<usize>) {
+    let squares = |k: usize| (way(0, k) / STEP).powi(2) / 2.0;
+    let steps: Vec<f64> = (0..AROUND).map(squares).collect();
+    let step = |a: usize, b: usize| steps[(AROUND + b - a) % AROUND];
+    let mut best = vec![f64::INFINITY; AROUND];
+    best[first] = costs.first().map_or(0.0, |all| all[first]);
     let mut came: Vec<Vec<usize>> = vec![];
     for next in costs.iter().skip(1) {
         let from = |k: usize| {
@@ -48,23 +85,14 @@ pub fn azimuths(sights: &Sights, photos: usize, height: f64) -> Vec<Faces> {
         best = all.iter().zip(next).map(|(f, c)| f.0 + c).collect();
         came.push(all.into_iter().map(|f| f.1).collect());
     }
-    let least = |all: &[f64]| (0..all.len()).min_by(|a, b| all[*a].total_cmp(&all[*b]));
-    let mut path = vec![least(&best).unwrap_or(0)];
+    let ends = (0..AROUND).map(|k| (best[k] + 2.0 * libm::log1p(step(k, first)), k));
+    let (cost, last) = ends.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
+    let mut path = vec![last];
     for from in came.iter().rev() {
         path.push(from[path[path.len() - 1]]);
     }
     path.reverse();
-    let mut azimuth = 0.0;
-    (0..photos)
-        .map(|i| {
-            let before = if i == 0 { 0 } else { path[i - 1] };
-            azimuth += way(before, path[i]);
-            Faces {
-                azimuth,
-                swapped: swapped[i][path[i]] < costs[i][path[i]],
-            }
-        })
-        .collect()
+    (cost, path)
 }
 
 /// What each azimuth costs by one photo's joints; of a photo whose joints are far off none costs much more (Cauchy).

@@ -1,8 +1,11 @@
-//! Joints of a body that turns, seen with noise, and with its back taken for its front on a photo.
+//! Joints of a body that turns, seen with noise, and with its back taken for its front on some photos.
 
 use super::*;
 use crate::azimuth::{Faces, azimuths, wrapped};
 use std::f64::consts::TAU;
+
+/// The photos whose left is taken for their right.
+const SWAPPED: [usize; 3] = [0, 1, 12];
 
 /// Joints of a body 0.65 of the camera's distance tall, at a turn that is uneven, with sights that are off by some.
 fn turned(photos: usize, ways: impl Fn(f64) -> f64) -> (Sights, Vec<f64>) {
@@ -38,8 +41,8 @@ fn turned(photos: usize, ways: impl Fn(f64) -> f64) -> (Sights, Vec<f64>) {
             let sight = seen(0.08, &there).unwrap().0;
             sights[j][i] = Some(sight + Vector2::new(noise(12.9), noise(78.2)));
         }
-        // A back that the network took for a front.
-        if i == 12 {
+        // Backs and fronts that the network took for each other.
+        if SWAPPED.contains(&i) {
             swap(&mut sights, i);
         }
     }
@@ -55,9 +58,9 @@ fn joints_alone_tell_the_azimuth_to_a_degree_or_two_whichever_way_it_goes() {
     ] {
         let (mut sights, truth) = turned(24, ways);
         let first = azimuths(&sights, 24, 0.65);
-        assert!(first[12].swapped);
-        let swapped = (0..24).filter(|i| first[*i].swapped);
-        swapped.for_each(|i| swap(&mut sights, i));
+        let swapped: Vec<usize> = (0..24).filter(|i| first[*i].swapped).collect();
+        assert_eq!(swapped, SWAPPED);
+        swapped.into_iter().for_each(|i| swap(&mut sights, i));
         let step = |a: &Faces| Step {
             azimuth: a.azimuth,
             ..Step::default()

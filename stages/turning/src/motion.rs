@@ -16,7 +16,7 @@ pub struct FindMotion;
 
 impl Stage for FindMotion {
     const NAME: &'static str = "turning.motion";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Finds how somebody turned on the spot before a standing camera, by joints and outlines, and gives the cameras as seen from the body.";
     type Params = MotionParams;
     type Input = MotionInput;
