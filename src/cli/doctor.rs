@@ -168,26 +168,29 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
 fn reported_of(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
     let (recursive, video) = (args.recursive, args.video);
     let mut look = look(&args.folder, &args.facts, recursive, video, global)?;
-    let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
-    let turns = !stopped && on_the_spot(&look);
+    // Waist and hip of somebody who turns on the spot show without feet.
+    let feet = |f: &Value| message(&f["what"]).code() == SAME[0].0;
+    let stops = |f: &Value| f["grade"] == GRADES[0];
+    let turns = on_the_spot(&look) && !entries(&look.findings).any(|f| stops(f) && !feet(f));
+    let found = &mut look.findings;
     if turns || args.turning {
         let how = if turns { ON_THE_SPOT } else { NOT_ON_THE_SPOT };
-        look.findings["can"]["turning"] = json!(Message::new(&how, []));
+        found["can"]["turning"] = json!(Message::new(&how, []));
     }
-    if let Some(can) = look.findings["can"]
-        .as_object_mut()
-        .filter(|_| args.turning)
-    {
-        can.retain(|what, _| ["lengths", "turning"].contains(&what.as_str()));
+    if args.turning {
+        let can = found["can"].as_object_mut().into_iter();
+        can.for_each(|can| can.retain(|what, _| ["lengths", "turning"].contains(&what.as_str())));
+        let all = found["findings"].as_array_mut().into_iter().flatten();
+        let feet = all.filter(|f| feet(f));
+        feet.for_each(|f| f["grade"] = GRADES[1].into());
     }
+    let stopped = entries(&look.findings).any(stops);
     if global.json {
         let mut found = look.findings;
         found["folder"] = args.folder.display().to_string().into();
         found["warnings"] = json!(look.warnings);
-        command::outln!(
-            "{}",
-            serde_json::to_string_pretty(&found).expect("bug: JSON")
-        );
+        let json = serde_json::to_string_pretty(&found).expect("bug: JSON");
+        command::outln!("{json}");
     } else {
         command::out!("{}", screen(args.spoken.words(), &args.folder, &look));
     }

@@ -34,6 +34,19 @@ fn feet_that_all_photos_cut_off_stop() {
         "{printed}"
     );
     assert!(printed.contains("cameras  no, as it is"), "{printed}");
+    // Waist and hip of somebody who turns on the spot show without them.
+    let out = run("tailor doctor samples/bad/feet-cut-off --turning");
+    let turning = String::from_utf8_lossy(&out.stdout).into_owned();
+    assert!(out.status.success(), "{turning}");
+    for line in [
+        "turning  a person turns before a fixed camera",
+        "give --turning",
+    ] {
+        assert!(
+            printed.contains(line) && turning.contains(line),
+            "{turning}"
+        );
+    }
     // `measure` agrees.
     let out = run("tailor measure samples/bad/feet-cut-off");
     let printed = String::from_utf8_lossy(&out.stderr).into_owned();
