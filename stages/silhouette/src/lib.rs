@@ -46,7 +46,7 @@
 //! | parts | the body is the largest part; until all other photos are weighed in, of its holes stay those that the scene explains | `label/parts.rs` |
 //!
 //! Beside the energy, each with its reason in its file: patches that stay in place as the body turns are background
-//! (`empty_scene/background_patches.rs`); narrow ends of gaps are followed at full size (`border/narrow_gaps.rs`). The scene of a
+//! (`empty_scene/background_patches.rs`); narrow ends of gaps are followed at full size, where a photo outweighs the rest (`border/narrow_gaps.rs`). The scene of a
 //! turn is a labelling of its own: of all levels that recur at a pixel (`empty_scene/recurring_levels.rs`) those that go over
 //! smoothly into each other (`empty_scene/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).
 //!

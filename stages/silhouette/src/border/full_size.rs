@@ -76,7 +76,10 @@ pub fn fine(
             sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
         }
     }
-    follow(&mut sides, &likeness, without, gmm);
+    if ready.unforeseen.is_some() {
+        let odds = |x: usize, y: usize| settled.between(&ready.person, x, y);
+        follow(&mut sides, &likeness, without, gmm, &odds);
+    }
     let cost = |i: usize| ready.of_hole(settled.small(i % width, i / width));
     soft_border(pixels, image, &largest(&sides, &cost), noise)
 }

@@ -2,12 +2,14 @@
 //!
 //! Few photos look through a gap, so all photos together call its end body; and at the reduced size it is
 //! narrower than what a photo is believed against them. At full size it is not: from where the background
-//! is, neighbourhoods that show it to the level, in colours that the body has not, are background.
+//! is, neighbourhoods that show it to the level are background, if it is sure by them against all that other photos,
+//! and a learned sense of a person, speak for the body. That those speak for the background was weighed by the cut.
 
 use crate::likelihood::background::{FLAT, Ground, Likeness};
 use crate::likelihood::body::body_cost;
-use crate::likelihood::colors_beside::{APART, UNLIKE};
+use crate::likelihood::colors_beside::UNLIKE;
 use crate::likelihood::gmm::Gmm;
+use crate::likelihood::person::SURE;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Rgb};
 
@@ -19,18 +21,21 @@ const REACH: f64 = 0.027;
 const ASKED: usize = 16;
 
 /// Gives pixels of the body to the background that are in the narrow ends of gaps, the middle of each
-/// neighbourhood: what is beside may be mixed. The disk is left out, whose light is not known so well.
+/// neighbourhood: what is beside may be mixed. The disk is left out, whose light is not known so well. `odds` are the
+/// log-odds of the body at a pixel by all but its own photo. \[nats\]
 pub(crate) fn follow(
     sides: &mut Image<bool>,
     likeness: &Likeness<'_>,
     without: &Backdrop,
     body: &Gmm,
+    odds: &dyn Fn(usize, usize) -> f32,
 ) {
     let (width, height) = (sides.width, sides.height);
     let mut gaps = Gaps {
         photo: likeness.photo,
         likeness,
         body,
+        odds,
         thinner: likeness.noise.thinner(),
         seen: &without.seen,
         before: sides.clone(),
@@ -54,6 +59,7 @@ struct Gaps<'a> {
     photo: &'a Rgb,
     likeness: &'a Likeness<'a>,
     body: &'a Gmm,
+    odds: &'a dyn Fn(usize, usize) -> f32,
     /// By how much noise makes the background's density thinner. \[nats\]
     thinner: f64,
     seen: &'a Image<bool>,
@@ -66,10 +72,10 @@ struct Gaps<'a> {
 }
 
 impl Gaps<'_> {
-    /// Whether the neighbourhood of a pixel shows the background.
+    /// Whether the neighbourhood of a pixel shows the background: it counts as one pixel, for neighbours are alike.
     fn shows(&mut self, at: usize) -> bool {
         let width = self.photo.width;
-        let (mut cost, mut odds) = (0.0, 0.0);
+        let (mut cost, mut shown) = (0.0, 0.0);
         for i in around(at, width) {
             let (x, y) = (i % width, i / width);
             let on = (self.likeness.ground)(x, y);
@@ -89,9 +95,9 @@ impl Gaps<'_> {
                 return false;
             }
             let of_body = body_cost(self.body, self.photo.data[i]) - self.thinner;
-            odds += (of_body as f32 - here) / 9.0;
+            shown += (of_body as f32 - here) / 9.0;
         }
-        odds > APART
+        shown > SURE + (self.odds)(at % width, at / width).max(0.0)
     }
 
     /// The cost of a pixel whose background nobody saw: by the colours of what is surely background nearby.
@@ -173,7 +179,7 @@ mod tests {
         y >= 10 && x.abs_diff(40) <= 1 + (y - 10) / 5
     }
 
-    /// Pixels of the gap above row 28, all of which the other photos have as body, that come back.
+    /// Pixels of the gap above row 28, for whose body the other photos speak with 6 nats, that come back.
     fn found(seen: bool, skin: [f64; 3]) -> (usize, usize, usize) {
         let mut dice = proof::Dice(7);
         let mut noisy =
@@ -200,7 +206,7 @@ mod tests {
         };
         let open = |i: usize| i / SIDE >= 28 && gap(i % SIDE, i / SIDE);
         let mut sides = raster(SIDE, SIDE, (0..SIDE * SIDE).map(|i| !open(i)).collect());
-        follow(&mut sides, &likeness, &without, &body);
+        follow(&mut sides, &likeness, &without, &body, &|_, _| 6.0);
         let count = |of: &dyn Fn(usize) -> bool| (0..SIDE * SIDE).filter(|i| of(*i)).count();
         let top = |i: usize| i / SIDE < 28 && gap(i % SIDE, i / SIDE);
         (

@@ -16,10 +16,6 @@ pub(crate) const UNLIKE: f32 = 4.0;
 /// What it costs that a colour is found beside its place.
 const BESIDE: f32 = 2.0;
 
-/// Odds (ln) by which a colour of the scene beside must beat the body's before it is the scene's beyond
-/// doubt.
-pub(crate) const APART: f32 = 6.0;
-
 /// The scene seen close to each pixel that nobody saw.
 pub(crate) struct Nearby<'a> {
     scene: &'a Backdrop,

@@ -8,7 +8,7 @@ use shape::{Found, Image, People, PhotoId};
 /// `models/person/calibrate.py` (logistic; Platt 1999). \[nats, and nats a nat\]
 const CALIBRATED: [f32; 2] = [-1.31, 0.76];
 
-/// From these log-odds on a pixel counts as body while the body's colours are not known yet: 19 to 1 (derived: ln 19).
+/// Log-odds that are sure: 19 to 1 (derived: ln 19).
 pub(crate) const SURE: f32 = 2.94;
 
 /// A person's sense of one reduced photo.
