@@ -18,7 +18,7 @@ const UNSOURCED: [(&str, usize); 13] = [
     ("refine", 10),
     ("report", 4),
     ("shape", 10),
-    ("silhouette", 124),
+    ("silhouette", 129),
     ("synth", 10),
     ("turning", 17),
 ];

@@ -43,6 +43,8 @@ pub struct PhotoEvidence {
     pub photo: Rgb,
     /// -ln p(pixel | background), up to a constant that is the same for all pixels. \[nats\]
     pub background: Vec<f32>,
+    /// By how much the disk's grain speaks against the bare disk; empty where nobody asked. \[nats\]
+    pub against_disk: Vec<f32>,
     /// Log-odds of the body by a learned sense of a person; empty where the photos show none, or nobody asked. \[nats\]
     pub person: Vec<f32>,
     /// What is certain.
@@ -55,7 +57,7 @@ impl PhotoEvidence {
     /// Hash of all of it: for [`stage::Ctx::part`].
     pub fn content(&self) -> Hash {
         let known: Vec<u8> = self.known.iter().map(|k| *k as u8).collect();
-        let costs = [&self.background, &self.person];
+        let costs = [&self.background, &self.against_disk, &self.person];
         let mut bytes = format!("{} {}", self.factor, self.noise_levels).into_bytes();
         let mut add = |part: &[u8]| bytes.extend_from_slice(stage::hash(part).as_bytes());
         add(self.photo.data.as_flattened());
@@ -89,11 +91,11 @@ pub struct Evidence {
 type Row = (u32, [u32; 2], u32, f32);
 
 /// The sections of a photo's costs.
-const COSTS: [&str; 2] = ["background", "person"];
+const COSTS: [&str; 3] = ["background", "against disk", "person"];
 
 impl Artifact for Evidence {
     const KIND: &'static str = "evidence";
-    const FORMAT: u32 = 3;
+    const FORMAT: u32 = 4;
 
     fn pack(&self, to: &mut Packer) {
         let row = |(id, e): (PhotoId, &PhotoEvidence)| -> Row {
@@ -104,7 +106,7 @@ impl Artifact for Evidence {
         for (PhotoId(id), e) in self.views.iter() {
             to.section(format!("photo {id}"), &e.photo.data);
             to.section(format!("known {id}"), &Known::bytes(&e.known));
-            let costs = [&e.background, &e.person];
+            let costs = [&e.background, &e.against_disk, &e.person];
             for (name, cost) in COSTS.iter().zip(costs) {
                 let (lengths, kept) = repeats(cost);
                 to.section(format!("{name} {id} lengths"), &lengths);
@@ -123,16 +125,20 @@ impl Artifact for Evidence {
                 repeated(&lengths, &from.section(&format!("{name} {id}"))?, count)
             };
             let background = cost(COSTS[0], count)?;
-            // Where nobody is seen there is none.
-            let lengths: Vec<u32> = from.section(&format!("{} {id} lengths", COSTS[1]))?;
-            let seen = lengths.iter().any(|length| *length > 0);
+            // Where nobody asked there is none.
+            let if_asked = |name: &str| -> Result<Vec<f32>, Corrupt> {
+                let asked: Vec<u32> = from.section(&format!("{name} {id} lengths"))?;
+                let asked = asked.iter().any(|length| *length > 0);
+                cost(name, if asked { count } else { 0 })
+            };
             if factor == 0 {
                 return Err(Corrupt("a photo reduced by 0".into()));
             }
             let evidence = PhotoEvidence {
                 factor,
                 background,
-                person: cost(COSTS[1], if seen { count } else { 0 })?,
+                against_disk: if_asked(COSTS[1])?,
+                person: if_asked(COSTS[2])?,
                 known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
                 photo,
                 noise_levels,
@@ -150,11 +156,12 @@ mod tests {
     use super::*;
 
     fn evidence() -> Evidence {
-        let one = |person: Vec<f32>| PhotoEvidence {
+        let one = |against_disk: Vec<f32>| PhotoEvidence {
             factor: 3,
             photo: Rgb::filled(3, 2, [4, 5, 6]),
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
-            person,
+            against_disk,
+            person: vec![],
             known: vec![
                 Known::Unknown,
                 Known::Unknown,

@@ -6,7 +6,7 @@ use crate::border::tiles::{band, tiles};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
 use crate::label::parts::largest;
-use crate::likelihood::background::{Likeness, Noise};
+use crate::likelihood::background::{FLAT, Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
@@ -46,7 +46,7 @@ pub fn fine(
         ground: &|x, y| grounds.at(x, y),
         reach: REACH,
     };
-    let cost = settled.cost(&likeness, without);
+    let cost = settled.cost(&likeness, without, &ready.strange);
     let mut sides = Image::filled(width, height, false);
     for y in 0..height {
         for (x, side) in sides.data[y * width..][..width].iter_mut().enumerate() {
@@ -135,7 +135,7 @@ impl Settled {
     }
 
     /// What pixels cost as background where that is asked: the rest are settled.
-    fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop) -> Vec<f32> {
+    fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop, strange: &[f32]) -> Vec<f32> {
         let (width, height) = (likeness.photo.width, likeness.photo.height);
         let mut cost = vec![0.0; width * height];
         for tile in tiles(&self.near) {
@@ -146,9 +146,10 @@ impl Settled {
             for (y, row) in (top..top + tall).zip(here.chunks(wide)) {
                 let places = y * width + left..;
                 for (i, here) in places.zip(row) {
-                    cost[i] = match without.seen.data[i] {
-                        true => *here,
-                        false => UNSEEN,
+                    cost[i] = match (without.seen.data[i], self.between(strange, i % width, y)) {
+                        (false, _) => UNSEEN,
+                        (true, strange) if strange > 0.0 => here.max(FLAT + strange),
+                        (true, _) => *here,
                     };
                 }
             }
@@ -188,5 +189,71 @@ impl Settled {
             a + u * (b - a)
         };
         along(top) + v * (along(bottom) - along(top))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIDE: usize = 160;
+    const FACTOR: usize = 4;
+
+    /// Body to the left, of the floor's colour in a faint shadow.
+    fn half(x: usize) -> bool {
+        x < SIDE / 2
+    }
+
+    /// Where the border ends up, on the mean. \[px\]
+    fn border(strange: Vec<f32>) -> f64 {
+        let mut dice = proof::Dice(2);
+        let mut noisy =
+            |color: [f64; 3], sigma: f64| color.map(|v| (v + sigma * dice.normal()).round() as u8);
+        let mut pixels = Rgb::filled(SIDE, SIDE, [0; 3]);
+        for (i, p) in pixels.data.iter_mut().enumerate() {
+            let body = half(i % SIDE);
+            *p = noisy(
+                if body {
+                    [162.0, 133.0, 102.0]
+                } else {
+                    [178.0, 146.0, 112.0]
+                },
+                1.5,
+            );
+        }
+        let skin: Vec<[u8; 3]> = (0..2000)
+            .map(|_| noisy([162.0, 133.0, 102.0], 12.0))
+            .collect();
+        let without = Backdrop::whole(Rgb::filled(SIDE, SIDE, [178, 146, 112]));
+        let small = SIDE / FACTOR;
+        let coarse = Image {
+            width: small,
+            height: small,
+            data: (0..small * small)
+                .map(|i| half(i % small * FACTOR))
+                .collect(),
+        };
+        let mut ready = crate::likelihood::prepared::prepare(&pixels, &without, None, small, 0.0);
+        ready.strange = strange;
+        let settings = Settings {
+            gamma: 40.0,
+            rounds: 1,
+            clusters: 1,
+            thinner: 0.0,
+        };
+        let skin = Gmm::fit(&skin, 1).expect("one cluster");
+        let mask = fine(&pixels, &without, &ready, &coarse, &skin, &settings);
+        let body: f64 = mask.data.iter().map(|c| f64::from(*c) / 255.0).sum();
+        body / SIDE as f64
+    }
+
+    #[test]
+    fn the_border_at_full_size_keeps_to_the_grain_where_colours_tell_nothing() {
+        let small = SIDE / FACTOR;
+        let lacks = (0..small * small).map(|i| if half(i % small * FACTOR) { 24.0 } else { 0.0 });
+        let (by_colors, by_grain) = (border(Vec::new()), border(lacks.collect()));
+        let true_border = SIDE as f64 / 2.0;
+        assert!(by_colors < true_border - 4.0, "{by_colors} px");
+        assert!((by_grain - true_border).abs() < 1.0, "{by_grain} px");
     }
 }

@@ -12,11 +12,12 @@ use crate::label::color_cut::coarse;
 use crate::label::parts::parts;
 use crate::raster::as_mask;
 
-use crate::likelihood::body::{STRANGE, body_cost, evident};
+use crate::likelihood::body::{EVIDENT, STRANGE, body_cost, evident as shown};
 use crate::likelihood::colors_beside::Nearby;
-use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, on_the_disk};
+use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
+use crate::likelihood::grain::missed;
 use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
 use crate::scene::backdrop::{Backdrop, SHY, still, thinned};
@@ -147,8 +148,10 @@ impl Turn<'_> {
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
         for (ready, person) in ready.iter_mut().zip(self.people) {
             let size = [ready.small.width, ready.small.height];
-            ready.person = person.beyond(&evident(&ready.cost, &ready.known, size));
+            ready.person = person.beyond(&shown(&ready.cost, &ready.known, size));
         }
+        let evident = evident(shots, &ready, radius);
+        missed(&mut ready, shots, &around, covered, evident.as_ref());
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
             for i in 0..ready.cost.len() {
                 if ready.cost[i] != UNSEEN {
@@ -231,6 +234,18 @@ impl Turn<'_> {
         all.filter_map(|(shot, cut)| Some((shot.id, as_mask(cut.as_ref()?))))
             .collect()
     }
+}
+
+/// The colours of what is evidently not the background, on all photos.
+fn evident(shots: &[Shot], ready: &[Prepared], radius: f64) -> Option<Gmm> {
+    let mut colors = Vec::new();
+    for (shot, ready) in shots.iter().zip(ready) {
+        let off = |i: &usize| ready.cost[*i] > EVIDENT && ready.known[*i] == Known::Unknown;
+        let some = (0..ready.cost.len()).filter(off).step_by(7);
+        let above = some.filter(|i| !shot.shows_disk(*i, radius));
+        colors.extend(above.map(|i| shot.small.data[i]));
+    }
+    mixture(&colors)
 }
 
 /// Adds to the background what two photos suffice to show: that they have the same to the level, in a

@@ -12,6 +12,9 @@ pub(crate) const EVIDENT: f32 = 22.0;
 /// What the body costs where its mixture tells nothing: a colour that it has not (derived: one time in three, -ln 0.3 more).
 pub(crate) const STRANGE: f64 = ANY_COLOR + 1.2;
 
+/// What a colour costs the body at most that it evidently has: twenty times as likely as any colour (derived: its logarithm).
+pub(crate) const OWN_COLOR: f64 = ANY_COLOR - 3.0;
+
 /// -ln p(colour | body): of its mixture or, one time in three, of any colour.
 pub(crate) fn body_cost(body: &Gmm, color: [u8; 3]) -> f64 {
     (body.cost(color) + 0.36).min(STRANGE)

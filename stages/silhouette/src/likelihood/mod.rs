@@ -7,6 +7,7 @@ pub(crate) mod colors_beside;
 pub(crate) mod disk_colors;
 pub(crate) mod floor;
 pub(crate) mod gmm;
+pub(crate) mod grain;
 pub(crate) mod grounds;
 pub(crate) mod neighbourhoods;
 pub(crate) mod noise;

@@ -103,6 +103,7 @@ mod tests {
             factor: 1,
             small: raster(SIDE, SIDE, all.map(color).collect()),
             cost,
+            strange: Vec::new(),
             person,
             unforeseen: None,
             known: vec![Known::Unknown; SIDE * SIDE],

@@ -18,6 +18,8 @@ pub struct Prepared {
     pub small: Rgb,
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
+    /// What it costs more to call each pixel the bare disk, by its grain; empty where nobody asked.
+    pub strange: Vec<f32>,
     /// Log-odds of the body by a person's sense; empty where there is none.
     pub person: Vec<f32>,
     /// What the background costs a pixel at most, by what no scene foresees; `None` until all other photos are weighed in. \[nats\]
@@ -37,6 +39,7 @@ impl Prepared {
             factor: evidence.factor as usize,
             small: evidence.photo.clone(),
             cost: evidence.background.clone(),
+            strange: evidence.against_disk.clone(),
             person: evidence.person.clone(),
             unforeseen: None,
             known: evidence.known.clone(),
@@ -74,9 +77,17 @@ impl Prepared {
             factor: self.factor as u32,
             photo: self.small,
             background: self.cost,
+            against_disk: self.strange,
             person: self.person,
             known: self.known,
             noise_levels: self.noise.still,
+        }
+    }
+
+    /// Raises what a pixel costs as background to so much beyond what matches to the level.
+    pub(crate) fn raise(&mut self, i: usize, beyond: f32) {
+        if beyond > 0.0 {
+            self.cost[i] = self.cost[i].max(FLAT + beyond);
         }
     }
 }
@@ -116,6 +127,7 @@ pub fn prepare(
     Prepared {
         factor,
         small,
+        strange: Vec::new(),
         person: Vec::new(),
         unforeseen: None,
         cost,

@@ -5,6 +5,7 @@ use crate::align::reduced::factor;
 use crate::cut::least_cut::Known;
 use crate::likelihood::behind::Behind;
 use crate::likelihood::body::evident;
+use crate::likelihood::grain::missed_in_photo;
 use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{UNSEEN, prepare};
 use crate::params::CutError;
@@ -41,8 +42,8 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 4;
-    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, and what cannot be body.";
+    const VERSION: u32 = 5;
+    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of the disk, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
     type Output = Evidence;
@@ -98,6 +99,7 @@ fn weighed(
     let floor = behind.floor(id);
     let most = aligned.coarse_px as usize;
     let mut ready = prepare(&pixels, &without, floor, most, disk_side_mm);
+    missed_in_photo(&mut ready, &without.image);
     let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
     close(known, width, factor, photo, aligned)?;
     Ok(ready.evidence())
@@ -113,6 +115,7 @@ fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
     Ok(PhotoEvidence {
         factor: factor as u32,
         background: vec![UNSEEN; known.len()],
+        against_disk: vec![],
         person: vec![],
         known,
         photo: small,
