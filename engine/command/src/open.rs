@@ -52,6 +52,17 @@ pub fn open_pipeline(
     change: &Change,
     global: &GlobalArgs,
 ) -> Result<Graph, Fault> {
+    let graph = read_pipeline(file, change, global)?;
+    permitted(&graph, global)?;
+    Ok(graph)
+}
+
+/// As [`open_pipeline`], of which nothing is to be run: no program of it is allowed.
+pub(crate) fn read_pipeline(
+    file: Option<&Path>,
+    change: &Change,
+    global: &GlobalArgs,
+) -> Result<Graph, Fault> {
     let overrides = Overrides {
         variant: change.variant.clone(),
         sets: change.set.clone(),
@@ -61,9 +72,7 @@ pub fn open_pipeline(
         Some(file) => file,
         None => return Err(Fault::input("name a pipeline: give its file")),
     };
-    let graph = recipe::open(file, &overrides, catalog).map_err(Fault::mistakes)?;
-    permitted(&graph, global)?;
-    Ok(graph)
+    recipe::open(file, &overrides, catalog).map_err(Fault::mistakes)
 }
 
 /// `NAME=FOLDER` as a pair.
