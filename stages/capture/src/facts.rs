@@ -1,5 +1,6 @@
 //! What is given beside `capture.toml`, by its keys: on the command line, in a pipeline. It wins.
 
+use crate::keys::RigError;
 use stage::Value;
 use std::collections::BTreeMap;
 use toml::Table;
@@ -13,6 +14,20 @@ impl Facts {
     pub(crate) fn table(&self) -> Table {
         let entry = |(key, value): (&String, &Value)| (key.clone(), plain(value));
         self.0.iter().map(entry).collect()
+    }
+
+    /// Reads a `capture.toml` with these facts over it.
+    pub(crate) fn read_over<T>(
+        &self,
+        text: &str,
+        read: impl Fn(Table) -> Result<T, RigError>,
+    ) -> Result<T, RigError> {
+        let table = text.parse();
+        let table: Table = table.map_err(|e: toml::de::Error| RigError::wrong(e.to_string()))?;
+        read(self.over(table)).map_err(|error| RigError {
+            beside: !self.0.is_empty(),
+            ..error
+        })
     }
 
     /// A file's table with these facts over it. What the file has on the same thing in other words goes:

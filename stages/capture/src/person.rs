@@ -7,7 +7,6 @@ use crate::person_keys::read_person;
 use shape::Person;
 use stage::{Ctx, Files, Stage, Stop};
 use std::sync::Arc;
-use toml::Table;
 
 stage::params! {
     /// What is given beside the file.
@@ -49,13 +48,7 @@ impl Stage for Personal {
 
 /// The person of a file, and what is given beside it, which wins.
 fn described(text: &str, facts: &Facts) -> Result<Person, RigError> {
-    let table: Table = text
-        .parse()
-        .map_err(|e: toml::de::Error| RigError::wrong(e.to_string()))?;
-    read_person(facts.over(table)).map_err(|error| RigError {
-        beside: !facts.0.is_empty(),
-        ..error
-    })
+    facts.read_over(text, read_person)
 }
 
 #[cfg(test)]

@@ -39,13 +39,7 @@ pub struct RigFile {
 ///
 /// Text that is no TOML, a value of the wrong type or beyond its range, tables that contradict each other.
 pub fn read_rig(text: &str, facts: &Facts) -> Result<RigFile, RigError> {
-    let table = text.parse();
-    let table: Table = table.map_err(|e: toml::de::Error| RigError::wrong(e.to_string()))?;
-    let read = read_table(facts.over(table));
-    read.map_err(|error| RigError {
-        beside: !facts.0.is_empty(),
-        ..error
-    })
+    facts.read_over(text, read_table)
 }
 
 /// Reads the tables of a `capture.toml`.
