@@ -156,12 +156,12 @@ mod tests {
     use super::*;
 
     fn evidence() -> Evidence {
-        let one = |against_disk: Vec<f32>| PhotoEvidence {
+        let one = |against_disk: &[f32], person: &[f32]| PhotoEvidence {
             factor: 3,
             photo: Rgb::filled(3, 2, [4, 5, 6]),
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
-            against_disk,
-            person: vec![],
+            against_disk: against_disk.to_vec(),
+            person: person.to_vec(),
             known: vec![
                 Known::Unknown,
                 Known::Unknown,
@@ -172,11 +172,18 @@ mod tests {
             ],
             noise_levels: 1.5,
         };
-        let asked = one(vec![0.0, 0.0, 0.0, 0.0, 0.0, 7.5]);
+        let (disk, seen) = (
+            [0.0, 0.0, 0.0, 0.0, 0.0, 7.5],
+            [-1.5, 0.0, 0.0, 2.5, 2.5, 2.5],
+        );
+        let views = [
+            one(&[], &[]),
+            one(&disk, &[]),
+            one(&[], &seen),
+            one(&disk, &seen),
+        ];
         Evidence {
-            views: [(PhotoId(0), one(vec![])), (PhotoId(2), asked)]
-                .into_iter()
-                .collect(),
+            views: (0..).map(PhotoId).zip(views).collect(),
         }
     }
 
