@@ -29,6 +29,12 @@ impl Dice {
     }
 }
 
+/// The first normally distributed numbers of a stream.
+pub(crate) fn normals<const N: usize>(seed: u32, stream: u32) -> [f64; N] {
+    let mut dice = Dice::new(seed, stream);
+    [(); N].map(|()| dice.normal())
+}
+
 /// Bits that depend on all bits of the argument.
 pub(crate) fn mixed(bits: u64) -> u64 {
     let mut z = bits;

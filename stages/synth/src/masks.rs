@@ -49,7 +49,7 @@ impl Stage for TrueMasks {
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
             let rays = p.rays as usize;
             cast(
-                &input.mesh,
+                (&input.mesh, &input.mesh.positions),
                 &normals,
                 &view.camera,
                 motion,

@@ -93,30 +93,38 @@ pub(crate) fn with_disk(scene: &Scene, behind: &Linear, camera: &Camera, fixed: 
     all
 }
 
-/// Puts the body before the background; `motion` moves it from rest.
+/// Puts the body before the background: its points at `rest` tell how it is painted, `motion` moves it into the world.
 pub(crate) fn with_body(
     scene: &Scene,
     behind: &mut Linear,
-    mesh: &Mesh,
+    (mesh, rest): (&Mesh, &Mesh),
     normals: &[Vector3<f64>],
     camera: &Camera,
     motion: Option<&Pose>,
 ) {
+    let rest = &rest.positions[..];
     let moved = motion.map_or(Rotation3::identity(), |m| m.rotation);
     let light = moved.inverse() * (camera.pose.rotation.inverse() * light());
     let focal = camera.lens.focal[0];
-    cast(mesh, normals, camera, motion, scene.rays, |x, y, seen| {
-        let normal = seen.normal.try_normalize(0.0).unwrap_or_default();
-        let bright = scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * 1.25;
-        let pixel = (seen.depth / focal) as f32;
-        let at = seen.at_rest.map(|x| x as f32).into();
-        let painted = || scene.palette.cover(at, &scene.body, pixel);
-        let base = seen.color.unwrap_or_else(painted);
-        let color = albedo(&scene.look, base, at, pixel);
-        let (cover, bright) = (seen.cover as f32, bright as f32);
-        let to = behind.at_mut(x, y);
-        (0..3).for_each(|c| to[c] += cover * (bright * color[c] - to[c]));
-    });
+    cast(
+        (mesh, rest),
+        normals,
+        camera,
+        motion,
+        scene.rays,
+        |x, y, seen| {
+            let normal = seen.normal.try_normalize(0.0).unwrap_or_default();
+            let bright = scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * 1.25;
+            let pixel = (seen.depth / focal) as f32;
+            let at = seen.at_rest.map(|x| x as f32).into();
+            let painted = || scene.palette.cover(at, &scene.body, pixel);
+            let base = seen.color.unwrap_or_else(painted);
+            let color = albedo(&scene.look, base, at, pixel);
+            let (cover, bright) = (seen.cover as f32, bright as f32);
+            let to = behind.at_mut(x, y);
+            (0..3).for_each(|c| to[c] += cover * (bright * color[c] - to[c]));
+        },
+    );
 }
 
 /// Puts what a disk that is no mat mirrors of the body on it.
@@ -147,7 +155,7 @@ pub(crate) fn with_reflection(
     let light = to_world * light();
     let focal = camera.lens.focal[0];
     cast(
-        &mirrored,
+        (&mirrored, &mirrored.positions),
         &normals,
         camera,
         None,

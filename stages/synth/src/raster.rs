@@ -9,7 +9,7 @@ use shape::{Camera, Mesh, Pose};
 pub struct Seen {
     /// Share of the pixel's rays that meet the mesh.
     pub cover: f64,
-    /// Mean of the points that they meet, on the mesh at rest. \[mm\]
+    /// Mean of the points that they meet, where they are at rest. \[mm\]
     pub at_rest: Vector3<f64>,
     /// Sum of the normals there, at rest; not of unit length.
     pub normal: Vector3<f64>,
@@ -24,13 +24,14 @@ impl Seen {
     fn add(
         &mut self,
         mesh: &Mesh,
+        rest: &[[f32; 3]],
         normals: &[Vector3<f64>],
         light: &[f32],
         face: u32,
         weights: [f64; 3],
     ) {
         for (v, w) in mesh.faces[face as usize].iter().zip(weights) {
-            self.at_rest += mesh.point(*v).coords * w;
+            self.at_rest += Vector3::from(rest[*v as usize].map(f64::from)) * w;
             self.normal += normals[*v as usize] * w;
             if let Some(levels) = mesh.colors.get(*v as usize) {
                 let sum = self.color.get_or_insert_default();
@@ -56,10 +57,10 @@ struct Ready {
 
 /// Calls `each` with column, row and what is seen, for every pixel that shows the mesh.
 ///
-/// `motion` moves the mesh at rest into the world; `rays` × `rays` rays go through a pixel. Only
+/// `rest` is where the mesh's points are at rest, `motion` moves the mesh into the world; `rays` × `rays` rays go through a pixel. Only
 /// faces that look at the camera are seen. Lens distortion is exact at every ray.
 pub fn cast(
-    mesh: &Mesh,
+    (mesh, rest): (&Mesh, &[[f32; 3]]),
     normals: &[Vector3<f64>],
     camera: &Camera,
     motion: Option<&Pose>,
@@ -117,7 +118,7 @@ pub fn cast(
                     if face == u32::MAX {
                         continue;
                     }
-                    seen.add(mesh, normals, &light, face, [a, b, 1.0 - a - b]);
+                    seen.add(mesh, rest, normals, &light, face, [a, b, 1.0 - a - b]);
                     seen.depth += depth;
                     seen.cover += 1.0;
                 }

@@ -1,7 +1,8 @@
 //! A living body in one photo: arms, legs and head are elsewhere than at rest, arms are raised, the chest is fuller, shorts hang
 //! otherwise, and the camera reads it row by row while it turns.
 
-use crate::dice::Dice;
+use crate::dice::{Dice, normals};
+use crate::paced::{between, clamped, paced, placed, risen};
 use nalgebra::{Point3, Rotation3, Vector3};
 use shape::{Camera, Mesh, Pose};
 use std::f64::consts::TAU;
@@ -42,6 +43,14 @@ pub(crate) struct Live {
     pub(crate) worn_mm: f64,
     /// How far the body turns while rows are read. \[rad\]
     pub(crate) read_rad: f64,
+    /// How many photos are from step to step, between which all of it goes smoothly, as in a film; 1: none.
+    pub(crate) pace: u32,
+    /// How far feet are lifted in a film. \[mm\]
+    pub(crate) lift_mm: f64,
+    /// The share of the time from photo to photo in which rows are read, in a film.
+    pub(crate) read: f64,
+    /// The share of it in which the shutter is open.
+    pub(crate) open: f64,
     /// Seed of it all.
     pub(crate) seed: u32,
 }
@@ -50,22 +59,28 @@ impl Live {
     /// Whether it is the same in each.
     pub(crate) fn rests(&self) -> bool {
         let own = [self.hands_mm, self.feet_mm, self.worn_mm, self.arms_rad];
-        own == [0.0; 4] && self.read_rad == 0.0
+        own == [0.0; 4] && self.read_rad == 0.0 && self.pace == 1
     }
 
     /// The body at rest in a photo, and as a camera reads it row by row.
     pub(crate) fn body(
         &self,
-        (mesh, normals): (&Mesh, &[Vector3<f64>]),
+        rest: (&Mesh, &[Vector3<f64>]),
         photo: u32,
         camera: &Camera,
         motion: Option<&Pose>,
     ) -> Mesh {
-        let mut moved = self.dressed(mesh, normals, photo);
-        self.restless(&mut moved, photo);
+        let mut moved = self.limbs(rest, f64::from(photo));
         if self.read_rad > 0.0 {
             self.read(&mut moved, camera, motion);
         }
+        moved
+    }
+
+    /// With clothes and limbs as they are at a time, by photos.
+    pub(crate) fn limbs(&self, (mesh, normals): (&Mesh, &[Vector3<f64>]), at: f64) -> Mesh {
+        let mut moved = self.dressed(mesh, normals, at);
+        self.restless(&mut moved, at);
         moved
     }
 
@@ -84,14 +99,14 @@ impl Live {
     }
 
     /// With shorts in folds, from above the knees to the waist.
-    fn dressed(&self, mesh: &Mesh, normals: &[Vector3<f64>], photo: u32) -> Mesh {
+    fn dressed(&self, mesh: &Mesh, normals: &[Vector3<f64>], at: f64) -> Mesh {
         let mut moved = mesh.clone();
         let Some((lo, hi)) = mesh.bounds().filter(|_| self.worn_mm > 0.0) else {
             return moved;
         };
         let (tall, middle) = (hi.z - lo.z, nalgebra::center(&lo, &hi));
-        let mut dice = Dice::new(self.seed, 3000 + photo);
-        let turned = TAU * dice.unit();
+        let folds = |k| [TAU * Dice::new(self.seed, 3000 + k).unit()];
+        let [turned] = paced(at, self.pace, folds);
         for (p, n) in moved.positions.iter_mut().zip(normals) {
             let [x, y, z] = p.map(f64::from);
             let (height, beside) = ((z - lo.z) / tall, (x - middle.x) / tall);
@@ -109,29 +124,31 @@ impl Live {
     }
 
     /// With hands, feet and head elsewhere, and a fuller chest.
-    fn restless(&self, moved: &mut Mesh, photo: u32) {
+    fn restless(&self, moved: &mut Mesh, photo: f64) {
         let Some((lo, hi)) = moved.bounds() else {
             return;
         };
         let (tall, middle) = (hi.z - lo.z, nalgebra::center(&lo, &hi));
-        let mut dice = Dice::new(self.seed, 1000 + photo);
-        let mut go = |share: f64| [0, 1].map(|_| share * self.hands_mm * dice.normal());
-        let (head, left, right) = (go(HEAD_SHARE), go(1.0), go(1.0));
-        let breath = go(BREATH_SHARE)[0];
-        let mut dice = Dice::new(self.seed, 2000 + photo);
-        let mut go = || [0, 1].map(|_| self.feet_mm * dice.normal());
-        let (left_foot, right_foot) = (go(), go());
+        let hands = |k| normals::<8>(self.seed, 1000 + k).map(|by| self.hands_mm * by);
+        let [hx, hy, lx, ly, rx, ry, breath, _] = paced(photo, self.pace, hands);
+        let (head, breath) = ([hx, hy].map(|by| HEAD_SHARE * by), BREATH_SHARE * breath);
+        let foot = |foot: usize| {
+            let (from, part) = match self.pace {
+                1 => (photo as u32, 0.0),
+                pace => placed(photo / f64::from(pace), foot),
+            };
+            let [from, to] = [from, from + 1].map(|k| normals::<4>(self.seed, 2000 + k));
+            let [lx, ly, rx, ry] = between(from, to, part).map(|by| self.feet_mm * by);
+            [[lx, ly], [rx, ry]][foot]
+        };
+        let (left, right) = (([lx, ly], foot(0)), ([rx, ry], foot(1)));
         for p in &mut moved.positions {
             let [x, y, z] = p.map(f64::from);
             let (height, beside) = ((z - lo.z) / tall, (x - middle.x) / tall);
             let hanging = 1.0 - risen(ARMS, height);
             let arm = risen(BESIDE, beside.abs()) * hanging;
-            let (by, foot) = if beside > 0.0 {
-                (left, left_foot)
-            } else {
-                (right, right_foot)
-            };
-            let leg = 1.0 - risen(LEGS, height);
+            let (by, foot) = if beside > 0.0 { left } else { right };
+            let leg = leg(height);
             let on_head = risen(HEAD, height);
             let bump = libm::sin(std::f64::consts::PI * clamped(CHEST, height));
             let front = clamped([0.0, 0.08], (middle.y - y) / tall) * (1.0 - arm);
@@ -152,15 +169,9 @@ impl Live {
     }
 }
 
-/// How far a number is between two, 0 to 1.
-fn clamped([from, to]: [f64; 2], x: f64) -> f64 {
-    ((x - from) / (to - from)).clamp(0.0, 1.0)
-}
-
-/// The same without corners.
-fn risen(ends: [f64; 2], x: f64) -> f64 {
-    let t = clamped(ends, x);
-    t * t * (3.0 - 2.0 * t)
+/// How far what is so high goes with a foot; the height is a share of the body's.
+pub(crate) fn leg(height: f64) -> f64 {
+    1.0 - risen(LEGS, height)
 }
 
 #[cfg(test)]
@@ -202,6 +213,7 @@ mod tests {
     fn feet_move_legs_shorts_hang_away_below_the_hip_and_rows_twist() {
         let rest = Live {
             seed: 1,
+            pace: 1,
             ..Live::default()
         };
         assert!(rest.rests() && moved(&rest, 0).iter().all(|far| *far == 0.0));

@@ -1,6 +1,7 @@
 //! The stage that sets up cameras: one fixed camera before a disk that turns.
 
 use crate::dice::Dice;
+use crate::paced::paced;
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras, Intrinsics, PhotoId, Pose, Scale, View, film_to_px};
 use stage::{Ctx, Stage, Stop};
@@ -40,6 +41,11 @@ stage::params! {
         #[range(0.0..=5.0)]
         #[source(structural)]
         jitter_deg: f64 = 0.1,
+        /// How many photos are from step to step of somebody who turns on the spot, and who turns smoothly from one to the
+        /// next, as in a film; 1: each photo is a step.
+        #[range(1..=720)]
+        #[source(structural)]
+        pace: u32 = 1,
         /// By how much the principal point is right of and below the photo's middle, as a share
         /// of the longer side.
         #[range(-0.1..=0.1)]
@@ -98,10 +104,14 @@ impl Stage for MakeRing {
         );
         let mut dice = Dice::new(p.seed, 1);
         let sign = if p.clockwise { -1.0 } else { 1.0 };
+        let step = |k: u32| {
+            let even = f64::from(k * p.pace) / f64::from(p.views) * std::f64::consts::TAU;
+            let jitter = if k == 0 { 0.0 } else { dice.normal() };
+            [sign * even + jitter * p.jitter_deg.to_radians()]
+        };
+        let steps: Vec<[f64; 1]> = (0..=p.views).map(step).collect();
         let view = |i: u32| {
-            let even = f64::from(i) / f64::from(p.views) * std::f64::consts::TAU;
-            let jitter = if i == 0 { 0.0 } else { dice.normal() };
-            let angle = sign * even + jitter * p.jitter_deg.to_radians();
+            let [angle] = paced(f64::from(i), p.pace, |k| steps[k as usize]);
             // What is on the disk turns with it: x_fixed = turn * x_world.
             let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
             let pose = Pose {

@@ -1,6 +1,7 @@
 //! The stage that makes a subject sway about its ankles, and step elsewhere for each photo.
 
 use crate::dice::Dice;
+use crate::paced::paced;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Cameras, PhotoId, Pose, Sway};
 use stage::{Ctx, Stage, Stop};
@@ -26,6 +27,10 @@ stage::params! {
         #[range(0.0..=200.0)]
         #[source(structural)]
         shuffle_mm: f64 = 0.0,
+        /// How many photos are from step to step, between which feet go smoothly, as in a film.
+        #[range(1..=720)]
+        #[source(structural)]
+        pace: u32 = 1,
         /// Seed of the movement.
         #[chance(seed)]
         #[source(structural)]
@@ -58,17 +63,20 @@ impl Stage for MakeSway {
         let angle = p.sway_mm / (p.breast_mm - p.ankle_mm).max(1.0);
         let mut dice = Dice::new(p.seed, 3);
         let mut step = || p.shuffle_mm * dice.normal();
-        let pose = |[x, y]: [f64; 2]| {
+        let steps: Vec<[f64; 2]> = (0..=ids.len()).map(|_| [step(), step()]).collect();
+        let pose = |(i, [x, y]): (usize, [f64; 2])| {
             // A lean towards (x, y) turns about (-y, x).
             let rotation = Rotation3::new(Vector3::new(-y, x, 0.0) * angle);
+            let [aside, ahead] = paced(i as f64, p.pace, |k| steps[k as usize]);
             let ankle = Vector3::new(0.0, 0.0, p.ankle_mm);
             Pose {
                 rotation,
-                translation: ankle - rotation * ankle + Vector3::new(step(), step(), 0.0),
+                translation: ankle - rotation * ankle + Vector3::new(aside, ahead, 0.0),
             }
         };
+        let poses = leans.into_iter().enumerate().map(pose);
         Ok(Sway {
-            views: ids.into_iter().zip(leans.into_iter().map(pose)).collect(),
+            views: ids.into_iter().zip(poses).collect(),
         })
     }
 }

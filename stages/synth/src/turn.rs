@@ -3,6 +3,7 @@
 use crate::background::Background;
 use crate::disk::{Disk, mat_for, rim_for};
 use crate::drawn::{Palette, Placed};
+use crate::film::Film;
 use crate::photograph::{
     Scene, developed, empty_scene, fixed_pose, with_body, with_disk, with_reflection,
 };
@@ -87,6 +88,23 @@ stage::params! {
         #[range(0.0..=45.0)]
         #[source(structural)]
         read_deg: f64 = 0.0,
+        /// How many photos are from step to step, as the cameras and the sway have it: above 1, feet are set and keep their
+        /// places on the floor while the body turns over them, and all that moves does so smoothly, as in a film.
+        #[range(1..=720)]
+        #[source(structural)]
+        pace: u32 = 1,
+        /// How far feet are lifted in a film.
+        #[range(0.0..=500.0)]
+        #[source(structural)]
+        lift_mm: f64 = 0.0,
+        /// The share of the time from photo to photo in which rows are read, in a film.
+        #[range(0.0..=1.0)]
+        #[source(structural)]
+        read: f64 = 0.0,
+        /// The share of the time from photo to photo in which the shutter is open, in a film.
+        #[range(0.0..=1.0)]
+        #[source(structural)]
+        open: f64 = 0.0,
         /// Seed of textures and noise.
         #[range(0..=1000000)]
         #[chance(seed)]
@@ -117,7 +135,7 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Takes the photos of a turn of any mesh: in its own colours or textured, lit, on a disk before furniture.";
     type Params = TurnParams;
     type Input = TurnInput;
@@ -140,10 +158,15 @@ impl Stage for TakePhotos {
             worn_mm: p.worn_mm,
             arms_rad: p.arms_deg.to_radians(),
             read_rad: p.read_deg.to_radians(),
+            pace: p.pace,
+            lift_mm: p.lift_mm,
+            read: p.read,
+            open: p.open,
             seed: p.seed,
         };
+        let film = Film::of(&live, cameras, input.sway.as_deref(), (mesh, &normals));
         let steps = ctx.steps("photos", cameras.views.len());
-        let take = |(id, view): &(PhotoId, shape::View)| -> Result<Photo, Stop> {
+        let take = |(i, (id, view)): (usize, &(PhotoId, shape::View))| -> Result<Photo, Stop> {
             let camera = &view.camera;
             let same = camera.lens == first.lens;
             let own = (!same).then(|| empty_scene(&scene, camera, &fixed));
@@ -151,10 +174,21 @@ impl Stage for TakePhotos {
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
             with_reflection(&scene, &mut seen, mesh, camera, motion);
             if live.rests() {
-                with_body(&scene, &mut seen, mesh, &normals, camera, motion);
+                with_body(&scene, &mut seen, (mesh, mesh), &normals, camera, motion);
+            } else if p.pace > 1 {
+                seen = film.exposed(&seen, i, camera, |seen, now| {
+                    with_body(&scene, seen, (now, mesh), &now.normals(), camera, motion);
+                });
             } else {
                 let now = live.body((mesh, &normals), id.0, camera, motion);
-                with_body(&scene, &mut seen, &now, &now.normals(), camera, motion);
+                with_body(
+                    &scene,
+                    &mut seen,
+                    (&now, mesh),
+                    &now.normals(),
+                    camera,
+                    motion,
+                );
             }
             let rgb = developed(
                 &seen,
@@ -165,7 +199,7 @@ impl Stage for TakePhotos {
             steps.tick()?;
             Ok(photo(p, &view.name, &rgb, camera))
         };
-        let photos = cameras.views.as_slice().par_iter().map(take);
+        let photos = cameras.views.as_slice().par_iter().enumerate().map(take);
         let photos: Vec<Photo> = photos.collect::<Result<_, _>>()?;
         let plate = p.plate.then(|| {
             let empty = with_disk(&scene, &behind, &first, &fixed);
