@@ -2,7 +2,7 @@
 //! smaller all around, by a step that no bare leg has.
 
 use crate::features::body::Body;
-use crate::geometry::slices::Slice;
+use crate::geometry::slices::{Ring, Slice};
 use nalgebra::Vector3;
 use shape::{GirthId, Landmark, Unit};
 use stage::{Field, Message, message};
@@ -78,15 +78,34 @@ fn legs(body: &Body) -> Option<Legs<'_>> {
     let far = (WIDE.0 + WIDE.1) as f64 * (body.slices.get(1)?.z - body.slices[0].z);
     let [low, high] = [LEGS.0, LEGS.1].map(|share| body.ground + share * body.stature);
     let slices: Vec<&Slice> = body.between(low - far, high + far).collect();
+    let slices = both_legs(&slices);
     let reaches: Vec<[f64; WAYS]> = slices.iter().map(|s| reach(s)).collect::<Option<_>>()?;
     let inside = WIDE.0 + WIDE.1..slices.len().saturating_sub(WIDE.0 + WIDE.1);
     let steps = inside.clone().map(|i| step(&reaches, i, SHARP)).collect();
     Some(Legs {
-        slices,
+        slices: slices.to_vec(),
         reaches,
         inside,
         steps,
     })
+}
+
+/// Slices above the highest in which a leg is missing that is there above it: it was carved away where it moved, and ends
+/// without a hem. Where legs become one, nothing of their area is missing.
+fn both_legs<'a, 'b>(slices: &'b [&'a Slice]) -> &'b [&'a Slice] {
+    let ends = |w: &[&Slice]| {
+        let area = w[0].rings.first().map_or(0.0, |r| r.area);
+        let two = other(w[1]).map(|r| w[1].rings[0].area + r.area / 2.0);
+        other(w[0]).is_none() && two.is_some_and(|two| area < two)
+    };
+    let ends = slices.windows(2).rposition(ends);
+    &slices[ends.map_or(0, |at| at + 1)..]
+}
+
+/// The other leg, where it is not one with the first.
+fn other(slice: &Slice) -> Option<&Ring> {
+    let first = slice.rings.first()?;
+    slice.rings.get(1).filter(|r| r.area > 0.4 * first.area)
 }
 
 /// How sharply the legs of a body step at most, as a share of stature: bare ones less than `BARE`.
@@ -138,7 +157,7 @@ fn step(reaches: &[[f64; WAYS]], at: usize, (beside, passed): (usize, usize)) ->
 /// How far both legs reach together, by direction; `None` where there are none. \[mm\]
 fn reach(slice: &Slice) -> Option<[f64; WAYS]> {
     let first = slice.rings.first()?;
-    let other = slice.rings.get(1).filter(|r| r.area > 0.4 * first.area);
+    let other = other(slice);
     let points = || {
         first
             .curve
@@ -162,6 +181,34 @@ fn middle(mut all: Vec<f64>) -> f64 {
 mod tests {
     use super::*;
     use crate::model::table::Table;
+
+    /// Legs of such radii from below, a slice each. \[mm\]
+    fn slices(radii: &[&[f64]]) -> Vec<Slice> {
+        let ring = |r: &f64| Ring {
+            curve: vec![],
+            area: TAU / 2.0 * r * r,
+            tape: TAU * r,
+            centre: nalgebra::Point3::origin(),
+        };
+        let slice = |(i, radii): (usize, &&[f64])| Slice {
+            z: i as f64,
+            rings: radii.iter().map(ring).collect(),
+        };
+        radii.iter().enumerate().map(slice).collect()
+    }
+
+    #[test]
+    fn a_leg_that_is_missing_below_is_no_hem_and_legs_that_touch_are_not_missing() {
+        let lowest = |radii: &[&[f64]]| {
+            let all = slices(radii);
+            let all: Vec<&Slice> = all.iter().collect();
+            both_legs(&all)[0].z
+        };
+        let (two, one): (&[f64], &[f64]) = (&[50.0, 48.0], &[52.0]);
+        assert_eq!(lowest(&[one, one, two, two, &[90.0]]), 2.0);
+        assert_eq!(lowest(&[&[], &[52.0, 20.0], two, two]), 2.0);
+        assert_eq!(lowest(&[two, &[75.0], two, two, &[90.0]]), 0.0);
+    }
 
     #[test]
     fn bare_legs_step_as_sharply_as_those_of_made_bodies() {
