@@ -4,4 +4,5 @@ mod columns;
 mod methods;
 mod processes;
 mod searches;
+mod turning;
 mod words;
