@@ -17,7 +17,7 @@ fn turning(data: &Value) -> String {
                 let _ = writeln!(table, "| {scan} | {size} | {} |", why.replace('|', "/"));
                 continue;
             }
-            let number = |key: &str| row[key].as_f64().unwrap();
+            let number = |key: &str| row[key].as_f64().map_or("–".into(), |n| format!("{n:.2}"));
             let tape = |name: &str| {
                 let of = |k: usize| row["tape_pct"][name][k].as_f64();
                 match (of(0), of(1), of(2)) {
@@ -32,7 +32,7 @@ fn turning(data: &Value) -> String {
             };
             let _ = writeln!(
                 table,
-                "| {scan} | {} of {size} | {:.2}; {:.2} | {} | {} |",
+                "| {scan} | {} of {size} | {}; {} | {} | {} |",
                 row["photos"],
                 number("first_azimuth_deg"),
                 number("azimuth_deg"),
