@@ -3,6 +3,7 @@
 use crate::align::alignment::{exposed_alike, on_each_other, on_plate};
 use crate::align::rectangle::Rectangle;
 use crate::align::reduced::factor;
+use crate::raster::only;
 use rayon::prelude::*;
 use shape::{Aligned, Alignment, ByPhoto, Cameras, Photo, PhotoId, Photos, Placed, Rgb};
 use stage::{Ctx, Stage, Stop};
@@ -80,7 +81,12 @@ fn placed_on(
     let one = |(id, photo): &(PhotoId, &Photo)| {
         let alone = || {
             let small = photo.decode()?.reduced(by);
-            Ok(one_view(on_plate(&small, &still, by)))
+            Ok(Aligned {
+                views: only(on_plate(&small, &still, by)),
+                cameras: None,
+                coarse_px: 0,
+                box_px: vec![],
+            })
         };
         let found: Aligned = ctx.part("alignment", &[photo.content(), plate.content()], alone)?;
         steps.tick()?;
@@ -90,16 +96,6 @@ fn placed_on(
         .map(one)
         .collect::<Result<Vec<_>, Stop>>()
         .map(|v| v.into_iter().collect())
-}
-
-/// One photo's alignment as what a part can be.
-fn one_view(alignment: Alignment) -> Aligned {
-    Aligned {
-        views: [(PhotoId(0), alignment)].into_iter().collect(),
-        cameras: None,
-        coarse_px: 0,
-        box_px: vec![],
-    }
 }
 
 /// How photos that have a camera are aligned with each other, and what brings them to one exposure.

@@ -1,7 +1,7 @@
 //! The border at full size where colours are all that is known.
 
 use crate::border::soft_border::coverage;
-use crate::border::tiles::band;
+use crate::border::tiles::{band, of_small, settled};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::by_colors::{ByColors, costs};
 use crate::label::color_cut::{Settings, cut};
@@ -18,19 +18,8 @@ pub(crate) fn fine_by_colors(
     settings: &Settings,
 ) -> Mask {
     let ByColors { sides, ground, own } = coarse;
-    let near = band(sides);
-    let at = |i: usize| {
-        let (x, y) = (i % photo.width / factor, i / photo.width / factor);
-        (x.min(sides.width - 1), y.min(sides.height - 1))
-    };
-    let settled = |i: usize| {
-        let (x, y) = at(i);
-        match (near.at(x, y), sides.at(x, y)) {
-            (true, _) => known[y * sides.width + x],
-            (false, true) => Known::Body,
-            (false, false) => Known::Background,
-        }
-    };
+    let known = settled(sides, &band(sides), &|i| known[i]);
+    let known = |i: usize| of_small(&known, factor, i % photo.width, i / photo.width);
     let background = costs(photo, ground);
     let fine = cut(
         photo,
@@ -38,7 +27,7 @@ pub(crate) fn fine_by_colors(
         &Window::all(photo),
         own,
         settings,
-        &settled,
+        &known,
     );
     let fine = raster(photo.width, photo.height, fine);
     coverage(&largest(&fine, &|_| 0.0))

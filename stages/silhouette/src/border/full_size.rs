@@ -2,7 +2,7 @@
 
 use crate::border::narrow_gaps::follow;
 use crate::border::soft_border::soft_border;
-use crate::border::tiles::{band, tiles};
+use crate::border::tiles::{band, cut_again, of_small, settled, tiles};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
 use crate::label::parts::largest;
@@ -10,7 +10,6 @@ use crate::likelihood::background::{FLAT, Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
-use crate::raster::raster;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Mask, Rgb};
 use std::ops::Range;
@@ -47,35 +46,16 @@ pub fn fine(
         reach: REACH,
     };
     let cost = settled.cost(&likeness, without, &ready.strange);
-    let mut sides = Image::filled(width, height, false);
-    for y in 0..height {
-        for (x, side) in sides.data[y * width..][..width].iter_mut().enumerate() {
-            *side = coarse.data[settled.small(x, y)];
-        }
-    }
-    for tile in tiles(&band) {
-        let window = tile.with_margin(coarse, factor);
+    let known = |i: usize| settled.at(i % width, i / width);
+    let mut sides = cut_again(pixels, factor, coarse, &band, &|window| {
         let rows = window.y..window.y + window.height;
         let of_window: Vec<f32> = rows
             .flat_map(|y| &cost[y * width + window.x..][..window.width])
             .map(|cost| ready.foreseen_or_not(*cost))
             .collect();
-        let known = |i: usize| settled.at(i % width, i / width);
-        let person = settled.within(&ready.person, &window);
-        let body = cut(
-            pixels,
-            [&of_window, &person],
-            &window,
-            gmm,
-            settings,
-            &known,
-        );
-        let (left, right) = (tile.x.start * factor, tile.x.end * factor);
-        for y in tile.y.start * factor..tile.y.end * factor {
-            let from = (y - window.y) * window.width + left - window.x;
-            sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
-        }
-    }
+        let person = settled.within(&ready.person, window);
+        cut(pixels, [&of_window, &person], window, gmm, settings, &known)
+    });
     if ready.unforeseen.is_some() {
         let odds = |x: usize, y: usize| settled.between(&ready.person, x, y);
         follow(&mut sides, &likeness, without, gmm, &odds);
@@ -94,13 +74,8 @@ struct Settled {
 
 impl Settled {
     fn of(ready: &Prepared, coarse: &Image<bool>, band: &Image<bool>) -> Self {
-        let one = |i: usize| match (band.data[i], coarse.data[i]) {
-            (true, _) => ready.known[i],
-            (false, false) => Known::Background,
-            (false, true) => Known::Body,
-        };
         let (width, height) = (coarse.width, coarse.height);
-        let known = raster(width, height, (0..coarse.data.len()).map(one).collect());
+        let known = settled(coarse, band, &|i| ready.known[i]);
         let mut near = Image::filled(width, height, false);
         for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
             if known.at(x, y) == Known::Unknown {
@@ -123,14 +98,14 @@ impl Settled {
     }
 
     fn at(&self, x: usize, y: usize) -> Known {
-        self.known.data[self.small(x, y)]
+        of_small(&self.known, self.factor, x, y)
     }
 
     /// Whether a pixel or one of its neighbours is open.
     fn beside_open(&self, x: usize, y: usize) -> bool {
         let open = |x: usize, y: usize| self.at(x, y) == Known::Unknown;
         let mut rows = y.max(1) - 1..y + 2;
-        self.near.data[self.small(x, y)]
+        of_small(&self.near, self.factor, x, y)
             && (open(x, y) || rows.any(|y| (x.max(1) - 1..x + 2).any(|x| open(x, y))))
     }
 

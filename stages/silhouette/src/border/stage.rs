@@ -12,7 +12,7 @@ use crate::likelihood::behind::Behind;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
 use crate::params::CutError;
-use crate::raster::as_mask;
+use crate::raster::{as_mask, only};
 use rayon::prelude::*;
 use shape::{
     Aligned, Evidence, Label, Labels, Mask, Masks, People, Photo, PhotoEvidence, PhotoId, Photos,
@@ -78,7 +78,7 @@ impl Stage for Border {
             let depends = all.depends(*id, photo, evidence, label);
             let mask = || {
                 let mask = all.mask(*id, photo, evidence, label)?;
-                let views = [(PhotoId(0), mask)].into_iter().collect();
+                let views = only(mask);
                 Ok(Masks { views })
             };
             let masks: Masks = ctx.part("mask", &depends, mask)?;
@@ -129,7 +129,7 @@ impl Turn<'_> {
             self.behind.floor(id),
         );
         let labels = Labels {
-            views: [(PhotoId(0), label.clone())].into_iter().collect(),
+            views: only(label.clone()),
         };
         [
             photo.content(),

@@ -1,8 +1,9 @@
-//! Squares of coarse pixels in which the border is.
+//! Squares of coarse pixels in which the border is, cut again at full size so that memory stays small.
 
-use crate::cut::least_cut::Window;
+use crate::cut::least_cut::{Known, Window};
 use crate::raster::raster;
-use shape::Image;
+use crate::scene::backdrop::thinned;
+use shape::{Image, Rgb};
 use std::ops::Range;
 
 /// A square of coarse pixels, clipped to the photo.
@@ -48,18 +49,55 @@ pub(crate) fn tiles(band: &Image<bool>) -> Vec<Tile> {
 
 /// Coarse pixels within two of the border.
 pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
-    let (w, h) = (sides.width as i32, sides.height as i32);
-    let mut band = raster(sides.width, sides.height, vec![false; sides.data.len()]);
-    for y in 0..h {
-        for x in 0..w {
-            let here = sides.at(x as usize, y as usize);
-            let differs = |dx: i32, dy: i32| {
-                let (nx, ny) = (x + dx, y + dy);
-                nx >= 0 && ny >= 0 && nx < w && ny < h && sides.at(nx as usize, ny as usize) != here
-            };
-            let near = (-2..=2).any(|dy| (-2..=2).any(|dx| differs(dx, dy)));
-            *band.at_mut(x as usize, y as usize) = near;
+    let (body, background) = (thinned(sides, 2), thinned(&sides.map(|b| !b), 2));
+    let near = body
+        .data
+        .iter()
+        .zip(&background.data)
+        .map(|(a, b)| !a && !b);
+    raster(sides.width, sides.height, near.collect())
+}
+
+/// What is known of coarse pixels: by the cut, but within the band by what was certain before.
+pub(crate) fn settled(
+    coarse: &Image<bool>,
+    band: &Image<bool>,
+    certain: &dyn Fn(usize) -> Known,
+) -> Image<Known> {
+    let one = |i: usize| match (band.data[i], coarse.data[i]) {
+        (true, _) => certain(i),
+        (false, false) => Known::Background,
+        (false, true) => Known::Body,
+    };
+    let all = (0..coarse.data.len()).map(one).collect();
+    raster(coarse.width, coarse.height, all)
+}
+
+/// What the coarse pixel of a pixel has.
+pub(crate) fn of_small<T: Copy>(coarse: &Image<T>, factor: usize, x: usize, y: usize) -> T {
+    let (x, y) = (x / factor, y / factor);
+    coarse.at(x.min(coarse.width - 1), y.min(coarse.height - 1))
+}
+
+/// A coarse cut at the size of the photo, its band cut again window by window by `cut`.
+pub(crate) fn cut_again(
+    photo: &Rgb,
+    factor: usize,
+    coarse: &Image<bool>,
+    band: &Image<bool>,
+    cut: &dyn Fn(&Window) -> Vec<bool>,
+) -> Image<bool> {
+    let (width, height) = (photo.width, photo.height);
+    let widened = |i: usize| of_small(coarse, factor, i % width, i / width);
+    let mut sides = raster(width, height, (0..width * height).map(widened).collect());
+    for tile in tiles(band) {
+        let window = tile.with_margin(coarse, factor);
+        let body = cut(&window);
+        let (left, right) = (tile.x.start * factor, tile.x.end * factor);
+        for y in tile.y.start * factor..tile.y.end * factor {
+            let from = (y - window.y) * window.width + left - window.x;
+            sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
         }
     }
-    band
+    sides
 }

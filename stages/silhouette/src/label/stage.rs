@@ -7,11 +7,11 @@ use crate::label::color_cut::{Settings, coarse};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
 use crate::params::{CutError, CutParams};
-use crate::raster::as_mask;
+use crate::raster::{as_mask, only};
 use rayon::prelude::*;
 use shape::{
-    Aligned, Evidence, FoundBody, Image, Label as Labelled, Labels, Mask, Masks, PhotoEvidence,
-    PhotoId, Photos, Scene,
+    Aligned, Evidence, FoundBody, Image, Label as Labelled, Labels, Masks, PhotoEvidence, PhotoId,
+    Photos, Scene,
 };
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -76,7 +76,8 @@ impl Stage for Label {
             let cut = || {
                 let ready = Prepared::of(evidence, None);
                 let (sides, _) = checked(coarse(&ready, &settings), &name(*id))?;
-                Ok(one_mask(as_mask(&sides)))
+                let views = only(as_mask(&sides));
+                Ok(Masks { views })
             };
             let masks: Masks = ctx.part("alone", &[*content], cut)?;
             steps.tick()?;
@@ -110,7 +111,8 @@ impl Stage for Label {
                     Some(found) => as_found(evidence, found, &settings, &name(*id))?,
                     None => with_all(*id, evidence, &agreement, &settings, &name(*id))?,
                 };
-                Ok(one_label(label))
+                let views = only(label);
+                Ok(Labels { views })
             };
             let labels: Labels = ctx.part("label", &depends, label)?;
             steps.tick()?;
@@ -124,20 +126,6 @@ impl Stage for Label {
         Ok(Labels {
             views: views.into_iter().collect(),
         })
-    }
-}
-
-/// One photo's mask as what a part can be.
-fn one_mask(mask: Mask) -> Masks {
-    Masks {
-        views: [(PhotoId(0), mask)].into_iter().collect(),
-    }
-}
-
-/// The same of its label.
-fn one_label(label: Labelled) -> Labels {
-    Labels {
-        views: [(PhotoId(0), label)].into_iter().collect(),
     }
 }
 

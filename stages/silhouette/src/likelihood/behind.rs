@@ -4,7 +4,7 @@ use crate::likelihood::floor::{Floor, Soles, floor};
 use crate::plate::expected::expected;
 use crate::scene::backdrop::Backdrop;
 use crate::scene::still_and_disk::Scene as Laid;
-use shape::{Aligned, Image, People, PhotoId, Rgb, Scene, Seen, toned};
+use shape::{Aligned, People, PhotoId, Rgb, Scene, Seen, toned};
 
 /// The scene, ready to be shown as each photo would see it.
 pub(crate) struct Behind<'a> {
@@ -23,14 +23,10 @@ impl<'a> Behind<'a> {
             image: seen.image.clone(),
             seen: seen.shown_by.map(|photos| *photos > 0),
         };
-        let nowhere = || Backdrop {
-            image: Rgb::filled(1, 1, [0; 3]),
-            seen: Image::filled(1, 1, false),
-        };
         // A plate shows its disk.
         let laid = (!scene.bodies.is_empty()).then(|| Laid {
             still: backdrop(&scene.still),
-            disk: scene.disk.as_ref().map_or_else(nowhere, backdrop),
+            disk: scene.disk.as_ref().map_or_else(Backdrop::nowhere, backdrop),
             radius: scene
                 .disk
                 .as_ref()

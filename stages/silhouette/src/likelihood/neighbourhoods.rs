@@ -5,35 +5,17 @@ use shape::Rgb;
 /// Mean colours of the neighbourhoods of the pixels of a rectangle (left, top, right, bottom), cut
 /// off at its border.
 pub(crate) fn box_means(image: &Rgb, [x0, y0, x1, y1]: [usize; 4], reach: usize) -> Vec<[f32; 3]> {
-    let wide = x1 - x0;
-    let mut sums = vec![[0u32; 3]; (wide + 1) * (y1 - y0 + 1)];
-    for y in y0..y1 {
-        let mut row = [0u32; 3];
-        for x in x0..x1 {
-            let at = (y - y0 + 1) * (wide + 1) + x - x0 + 1;
-            for c in 0..3 {
-                row[c] += u32::from(image.at(x, y)[c]);
-                sums[at][c] = sums[at - wide - 1][c] + row[c];
-            }
-        }
-    }
-    let mut means = Vec::with_capacity(wide * (y1 - y0));
-    for y in 0..y1 - y0 {
-        let (top, bottom) = (y.saturating_sub(reach), (y + reach + 1).min(y1 - y0));
-        for x in 0..wide {
-            let (left, right) = (x.saturating_sub(reach), (x + reach + 1).min(wide));
-            let at = |x: usize, y: usize| sums[y * (wide + 1) + x];
-            let area = ((bottom - top) * (right - left)) as f32;
-            let (a, b, c, d) = (
-                at(left, top),
-                at(right, top),
-                at(left, bottom),
-                at(right, bottom),
-            );
-            means.push([0, 1, 2].map(|i| (d[i] + a[i] - b[i] - c[i]) as f32 / area));
-        }
-    }
-    means
+    let (wide, tall) = (x1 - x0, y1 - y0);
+    let sums = [0, 1, 2].map(|c| {
+        let level = |i: usize| u32::from(image.at(x0 + i % wide, y0 + i / wide)[c]);
+        Sums::of(wide, tall, level)
+    });
+    let mean = |i: usize, sums: &Sums| {
+        let (sum, count) = sums.around(i, reach);
+        sum as f32 / count as f32
+    };
+    let at = |i: usize| sums.each_ref().map(|sums| mean(i, sums));
+    (0..wide * tall).map(at).collect()
 }
 
 /// The least of all values within a neighbourhood, along rows and then columns.

@@ -2,8 +2,9 @@
 
 use crate::align::exposure::exposure;
 use crate::plate::expected::plate_turn;
+use crate::raster::only;
 use rayon::prelude::*;
-use shape::{Aligned, ByPhoto, InPhoto, Photo, PhotoId, Photos, Rgb, Scene, Seen, toned};
+use shape::{Aligned, InPhoto, Photo, PhotoId, Photos, Rgb, Scene, Seen, toned};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -50,7 +51,10 @@ impl Stage for Plate {
             ];
             let alone = || {
                 let brought = aligned.of(*id).brought(photo.decode()?);
-                Ok(one_view(in_photo(&brought, &pixels, aligned, *id)))
+                Ok(Scene {
+                    views: only(in_photo(&brought, &pixels, aligned, *id)),
+                    ..Scene::unknown()
+                })
             };
             let found: Scene = ctx.part("in photo", &depends, alone)?;
             steps.tick()?;
@@ -63,15 +67,6 @@ impl Stage for Plate {
             views: views.into_iter().collect(),
             ..Scene::unknown()
         })
-    }
-}
-
-/// One photo's view of the plate as what a part can be.
-fn one_view(view: InPhoto) -> Scene {
-    let views: ByPhoto<InPhoto> = [(PhotoId(0), view)].into_iter().collect();
-    Scene {
-        views,
-        ..Scene::unknown()
     }
 }
 

@@ -24,6 +24,14 @@ impl Backdrop {
         let seen = Image::filled(image.width, image.height, true);
         Backdrop { image, seen }
     }
+
+    /// Of what is not there, such as a disk that nobody named.
+    pub(crate) fn nowhere() -> Self {
+        Backdrop {
+            image: Rgb::filled(1, 1, [0; 3]),
+            seen: Image::filled(1, 1, false),
+        }
+    }
 }
 
 /// Colours nearer to each other than this are one. \[levels\]
@@ -38,29 +46,24 @@ fn alike(colors: &[[u8; 3]], same: u8) -> usize {
     colors.iter().map(fans).max().unwrap_or(0)
 }
 
-/// The middle of what photos show that are not covered, channel by channel, where three are not: for
-/// surfaces that turn and so are not lit alike.
-pub(crate) fn middle(photos: &[Rgb], covered: &[Image<bool>]) -> Backdrop {
-    let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
-    let mut middle = Backdrop {
-        image: Rgb::filled(w, h, [0; 3]),
-        seen: Image::filled(w, h, false),
-    };
-    let mut values = Vec::with_capacity(photos.len());
-    for i in 0..w * h {
-        let open: Vec<usize> = (0..photos.len()).filter(|k| !covered[*k].data[i]).collect();
-        if open.len() < 3 {
-            continue;
-        }
-        for c in 0..3 {
-            values.clear();
-            values.extend(open.iter().map(|k| photos[*k].data[i][c]));
+/// The middle of what some photos show at each place of a square, channel by channel, where three do: for surfaces that
+/// turn and so are not lit alike.
+pub(crate) fn middle(shown: &[Vec<Option<[u8; 3]>>], side: usize) -> Backdrop {
+    let one = |i: usize| {
+        let colors: Vec<[u8; 3]> = shown.iter().filter_map(|photo| photo[i]).collect();
+        let channel = |c: usize| {
+            let mut values: Vec<u8> = colors.iter().map(|color| color[c]).collect();
             values.sort_unstable();
-            middle.image.data[i][c] = values[values.len() / 2];
-        }
-        middle.seen.data[i] = true;
+            values[values.len() / 2]
+        };
+        (colors.len() >= 3).then(|| [0, 1, 2].map(channel))
+    };
+    let all: Vec<Option<[u8; 3]>> = (0..side * side).map(one).collect();
+    let image = all.iter().map(|color| color.unwrap_or([0; 3])).collect();
+    Backdrop {
+        image: raster(side, side, image),
+        seen: raster(side, side, all.iter().map(Option::is_some).collect()),
     }
-    middle
 }
 
 /// The greatest difference of a channel between a pixel and those beside it. \[levels\]

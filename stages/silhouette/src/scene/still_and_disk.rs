@@ -1,6 +1,5 @@
 //! The empty scene as it is laid out: the still background, and the disk, which turns.
 
-use crate::raster::raster;
 use crate::scene::backdrop::{Backdrop, middle};
 use crate::scene::disk_map::{laid_out, lay_into, point};
 use crate::scene::disk_plane::on_disk;
@@ -65,56 +64,29 @@ pub(crate) fn scene(
 ) -> Scene {
     let cameras: Vec<Camera> = shots.iter().map(|s| s.camera).collect();
     let side = full_side(&cameras, radius);
-    let nowhere = Backdrop {
-        image: Rgb::filled(1, 1, [0; 3]),
-        seen: Image::filled(1, 1, false),
-    };
     if radius <= 0.0 {
         return Scene {
             still,
-            disk: nowhere,
+            disk: Backdrop::nowhere(),
             radius,
         };
     }
-    let maps: Vec<_> = shots
-        .par_iter()
-        .map(|s| laid_out(&s.small, &s.camera, radius, side))
-        .collect();
-    let hides = |k: usize, i: usize| -> bool {
-        let Some(at) = point(i, radius, side).and_then(|x| shots[k].camera.project(&x)) else {
-            return true;
+    let shown = |(shot, covered): (&Shot, &Image<bool>)| -> Vec<Option<[u8; 3]>> {
+        let hides = |i: usize| {
+            let Some(at) = point(i, radius, side).and_then(|x| shot.camera.project(&x)) else {
+                return true;
+            };
+            let [x, y] = [at.x, at.y].map(|v| v.round().max(0.0) as usize);
+            x < covered.width && y < covered.height && covered.at(x, y)
         };
-        let (x, y) = (
-            at.x.round().max(0.0) as usize,
-            at.y.round().max(0.0) as usize,
-        );
-        x < covered[k].width && y < covered[k].height && covered[k].at(x, y)
+        let map = laid_out(&shot.small, &shot.camera, radius, side).into_iter();
+        let free = map.enumerate();
+        free.map(|(i, color)| color.filter(|_| !hides(i))).collect()
     };
-    let hidden: Vec<Image<bool>> = (0..shots.len())
-        .into_par_iter()
-        .map(|k| {
-            raster(
-                side,
-                side,
-                (0..side * side)
-                    .map(|i| maps[k][i].is_none() || hides(k, i))
-                    .collect(),
-            )
-        })
-        .collect();
-    let maps: Vec<Rgb> = maps
-        .into_iter()
-        .map(|map| {
-            raster(
-                side,
-                side,
-                map.into_iter().map(|c| c.unwrap_or([0; 3])).collect(),
-            )
-        })
-        .collect();
+    let maps: Vec<_> = shots.par_iter().zip(covered).map(shown).collect();
     Scene {
         still,
-        disk: middle(&maps, &hidden),
+        disk: middle(&maps, side),
         radius,
     }
 }

@@ -1,10 +1,9 @@
 //! The outline of a reduced photo again at full size, window by window so that memory stays small.
 
 use crate::border::soft_border::{coverage, soft_border};
-use crate::border::tiles::{band, tiles};
+use crate::border::tiles::{band, cut_again, of_small, settled};
 use crate::cut::least_cut::{Known, cut_by_odds};
 use crate::likelihood::background::Noise;
-use crate::raster::raster;
 use crate::walk::colors::Colors;
 use shape::{Image, Mask, Rgb};
 
@@ -25,10 +24,10 @@ pub(crate) fn at_full_size(
     gamma: f64,
     closed: &dyn Fn(usize, usize) -> bool,
 ) -> Mask {
-    let mut sides = widened(photo, factor, coarse);
-    if factor > 1 {
-        cut_again(photo, factor, coarse, colors, gamma, &mut sides);
-    }
+    let mut sides = match factor {
+        1 => coarse.clone(),
+        _ => by_colors(photo, factor, coarse, colors, gamma),
+    };
     for y in 0..sides.height {
         for x in 0..sides.width {
             if sides.at(x, y) && closed(x, y) {
@@ -39,40 +38,18 @@ pub(crate) fn at_full_size(
     soft_border(photo, &beside(photo, &sides), &sides, NOISE)
 }
 
-/// Sides at full size, each pixel as its reduced one.
-fn widened(photo: &Rgb, factor: usize, coarse: &Image<bool>) -> Image<bool> {
-    let at = |i: usize| {
-        let (x, y) = (i % photo.width / factor, i / photo.width / factor);
-        coarse.at(x.min(coarse.width - 1), y.min(coarse.height - 1))
-    };
-    raster(
-        photo.width,
-        photo.height,
-        (0..photo.data.len()).map(at).collect(),
-    )
-}
-
-/// Cuts the border again.
-fn cut_again(
+/// The border cut again.
+fn by_colors(
     photo: &Rgb,
     factor: usize,
     coarse: &Image<bool>,
     colors: &Colors,
     gamma: f64,
-    sides: &mut Image<bool>,
-) {
+) -> Image<bool> {
     let band = band(coarse);
-    let settled = |i: usize| {
-        let (x, y) = (i % photo.width / factor, i / photo.width / factor);
-        let (x, y) = (x.min(coarse.width - 1), y.min(coarse.height - 1));
-        match (band.at(x, y), coarse.at(x, y)) {
-            (true, _) => Known::Unknown,
-            (false, true) => Known::Body,
-            (false, false) => Known::Background,
-        }
-    };
-    for tile in tiles(&band) {
-        let window = tile.with_margin(coarse, factor);
+    let known = settled(coarse, &band, &|_| Known::Unknown);
+    let known = |i: usize| of_small(&known, factor, i % photo.width, i / photo.width);
+    cut_again(photo, factor, coarse, &band, &|window| {
         let rows = window.y..window.y + window.height;
         let favour: Vec<f32> = rows
             .flat_map(|y| {
@@ -81,14 +58,8 @@ fn cut_again(
                     .map(move |c| colors.favour(*c, y as f64 / factor as f64))
             })
             .collect();
-        let body = cut_by_odds(photo, &window, gamma, &favour, &settled);
-        let (left, right) = (tile.x.start * factor, tile.x.end * factor);
-        for y in tile.y.start * factor..tile.y.end * factor {
-            let from = (y - window.y) * window.width + left - window.x;
-            sides.data[y * photo.width..][left..right]
-                .copy_from_slice(&body[from..][..right - left]);
-        }
-    }
+        cut_by_odds(photo, window, gamma, &favour, &known)
+    })
 }
 
 /// What the photo would show near the border without the subject: the mean of the background beside.
