@@ -62,6 +62,7 @@
 
 mod align;
 mod border;
+mod cells;
 mod cut;
 mod empty_scene;
 mod grabcut;

@@ -5,7 +5,6 @@ use crate::border::soft_border::soft_border;
 use crate::border::tiles::{band, cut_again, of_small, settled, tiles};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
-use crate::label::parts::largest;
 use crate::likelihood::background::{FLAT, Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
@@ -60,8 +59,8 @@ pub fn fine(
         let odds = |x: usize, y: usize| settled.between(&ready.person, x, y);
         follow(&mut sides, &likeness, without, gmm, &odds);
     }
-    let cost = |i: usize| ready.of_hole(settled.small(i % width, i / width));
-    soft_border(pixels, image, &largest(&sides, &cost), noise)
+    let small = |i: usize| settled.small(i % width, i / width);
+    soft_border(pixels, image, &ready.body_of(&sides, &small), noise)
 }
 
 /// What the coarse cut leaves open: its border, where nothing was certain before.

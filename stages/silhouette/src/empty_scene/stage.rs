@@ -55,7 +55,7 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: in rounds with the body's outlines on which the photos agree.";
     type Params = EmptySceneParams;
     type Input = EmptySceneInput;

@@ -12,8 +12,9 @@
 //! And how much a photo may contradict the rest is counted, too: how often it shows, where all of them are sure of the
 //! background, what its scene did not foresee.
 
+use crate::cells::Block;
 use crate::cut::least_cut::Known;
-use crate::label::consensus::{Block, DISSENT, Together, View};
+use crate::label::consensus::{DISSENT, Together, View};
 use crate::label::squares::Squares;
 use crate::likelihood::body::{ANY_COLOR, EVIDENT};
 use crate::likelihood::person::SURE;

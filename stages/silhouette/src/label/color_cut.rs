@@ -1,7 +1,6 @@
 //! Body and background of a photo by graph cuts, coarse to fine (Rother, Kolmogorov, Blake 2004).
 
 use crate::cut::least_cut::{Known, Terms, UNIT, Window, least_cut};
-use crate::label::parts::largest;
 use crate::likelihood::background::{FLAT, Noise};
 use crate::likelihood::body::{EVIDENT, body_cost};
 use crate::likelihood::gmm::Gmm;
@@ -80,7 +79,7 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
         gmm = Some(fitted);
     }
     let sides = raster(photo.width, photo.height, body);
-    Some((largest(&sides, &|i| ready.of_hole(i)), gmm?))
+    Some((ready.body_of(&sides, &|i| i), gmm?))
 }
 
 /// Cuts a window: true is body. What pixels cost as background, the log-odds of the body by a person's sense (empty where

@@ -1,5 +1,6 @@
 //! The cells around the body, and how many photos show each of them as background.
 
+use crate::cells::Block;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Mask, PhotoId};
@@ -11,22 +12,7 @@ pub(crate) const DISSENT: usize = 2;
 /// Cells around all that is shown (structural).
 const MARGIN: f64 = 4.0;
 
-/// A block of cells, x fastest.
-pub(crate) struct Block {
-    pub(crate) origin: Point3<f64>,
-    /// Side of a cell. \[mm\]
-    pub(crate) cell: f64,
-    pub(crate) count: [usize; 3],
-}
-
 impl Block {
-    pub(crate) fn centre(&self, i: usize) -> Point3<f64> {
-        let [nx, ny, _] = self.count;
-        let at =
-            nalgebra::Vector3::new((i % nx) as f64, (i / nx % ny) as f64, (i / nx / ny) as f64);
-        self.origin + at * self.cell
-    }
-
     /// How many steps (six ways) each cell is from the nearest that is so, `most` at most.
     pub(crate) fn steps_to(&self, such: &[bool], most: u8) -> Vec<u8> {
         let [nx, ny, nz] = self.count;
@@ -99,8 +85,7 @@ impl<'a> Together<'a> {
         }
         let shows = |x: &Point3<f64>| against(&views, x) <= DISSENT;
         let block = block(&views, cameras.ground_mm, &shows)?;
-        let cells: usize = block.count.iter().product();
-        let against: Vec<usize> = (0..cells)
+        let against: Vec<usize> = (0..block.len())
             .into_par_iter()
             .map(|i| against(&views, &block.centre(i)))
             .collect();
@@ -162,8 +147,10 @@ fn block(views: &[View<'_>], ground: f64, shows: &dyn Fn(&Point3<f64>) -> bool) 
     let cell = (0..3).map(|a| hi[a] - lo[a]).fold(0.0, f64::max) / CELLS;
     let margin = cell * MARGIN;
     let count = [0, 1, 2].map(|a| ((hi[a] - lo[a] + 2.0 * margin) / cell) as usize + 1);
+    // The lowest cells are cut through by the ground.
+    let half = cell / 2.0;
     Some(Block {
-        origin: Point3::new(lo[0] - margin, lo[1] - margin, lo[2]),
+        corner: Point3::new(lo[0] - margin - half, lo[1] - margin - half, lo[2] - half),
         cell,
         count,
     })

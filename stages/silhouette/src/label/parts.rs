@@ -3,24 +3,28 @@
 //! Parts are made of runs: pixels of one side beside each other in a row.
 
 use crate::likelihood::background::FLAT;
+use crate::likelihood::prepared::Prepared;
 use shape::Image;
 
 /// A hole whose median pixel costs the background more than this is no hole.
 const EXPLAINED: f32 = FLAT + 1.5;
 
-/// The largest connected part, with those of its holes filled that are small or that the background
-/// does not explain: a gap between arm and trunk shows the background to the level, a blue fish on
-/// a shirt only something like it. `background` is what a pixel costs as such.
-pub(crate) fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> f32) -> Image<bool> {
+/// The largest connected part.
+fn largest(sides: &Image<bool>) -> Image<bool> {
     let whole = Parts::of(sides, true);
-    let Some(best) = (0..whole.sizes.len()).max_by_key(|i| (whole.sizes[*i], usize::MAX - i))
-    else {
-        return sides.clone();
-    };
-    let size = whole.sizes[best];
+    let best = (0..whole.sizes.len()).max_by_key(|i| (whole.sizes[*i], usize::MAX - i));
     let mut kept = Image::filled(sides.width, sides.height, false);
-    let own = whole.runs.iter().filter(|run| run.part == best);
+    let own = whole.runs.iter().filter(|run| Some(run.part) == best);
     own.for_each(|run| kept.data[run.start..run.end].fill(true));
+    kept
+}
+
+/// The same with those of its holes filled that are small or that the background does not explain: a gap between arm and
+/// trunk shows the background to the level, a blue fish on a shirt only something like it. `background` is what a pixel
+/// costs as such.
+pub(crate) fn filled(sides: &Image<bool>, background: &dyn Fn(usize) -> f32) -> Image<bool> {
+    let mut kept = largest(sides);
+    let size = kept.data.iter().filter(|body| **body).count();
     let (least, most) = (size / 2000, size / 10);
     let holes = Parts::of(&kept, false);
     let mut costs: Vec<Vec<f32>> = vec![vec![]; holes.sizes.len()];
@@ -44,6 +48,25 @@ pub(crate) fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> f32) ->
     let filled = holes.runs.iter().filter(|run| fill[run.part]);
     filled.for_each(|run| kept.data[run.start..run.end].fill(true));
     kept
+}
+
+impl Prepared {
+    /// The body of a cut: its largest part. Once all other photos are weighed in, a hole needs no rule of its own, however
+    /// small; `coarse` is the reduced pixel of a pixel.
+    pub(crate) fn body_of(
+        &self,
+        sides: &Image<bool>,
+        coarse: &dyn Fn(usize) -> usize,
+    ) -> Image<bool> {
+        let cost = |i: usize| {
+            let person = self.person.get(i).map_or(0.0, |p| p.max(0.0));
+            self.cost[i] + person
+        };
+        match self.unforeseen {
+            Some(_) => largest(sides),
+            None => filled(sides, &|i| cost(coarse(i))),
+        }
+    }
 }
 
 /// Pixels of one side beside each other in a row, by their places in the image.
@@ -148,7 +171,10 @@ pub(crate) fn parts(sides: &Image<bool>, of: bool) -> (Image<u32>, Vec<usize>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::likelihood::prepared::prepare;
     use crate::raster::raster;
+    use crate::scene::backdrop::Backdrop;
+    use shape::Rgb;
 
     /// The same by setting out from pixel to pixel.
     fn flooded(sides: &Image<bool>, of: bool) -> (Vec<u32>, Vec<usize>) {
@@ -187,5 +213,20 @@ mod tests {
                 assert_eq!((parts.data, sizes), flooded(&sides, of));
             }
         }
+    }
+
+    #[test]
+    fn a_small_hole_that_a_photo_shows_stays_once_all_photos_are_weighed_in() {
+        let hole = |i: usize| (40..43).contains(&(i % 100)) && i / 100 == 50;
+        let photo = Rgb::filled(100, 100, [90; 3]);
+        let mut ready = prepare(&photo, &Backdrop::whole(photo.clone()), None, 100, 0.0);
+        let sides = raster(100, 100, (0..10_000).map(|i| !hole(i)).collect());
+        let open = |ready: &Prepared| {
+            let body = ready.body_of(&sides, &|i| i);
+            body.data.iter().filter(|body| !**body).count()
+        };
+        assert_eq!(open(&ready), 0);
+        ready.unforeseen = Some(20.0);
+        assert_eq!(open(&ready), 3);
     }
 }

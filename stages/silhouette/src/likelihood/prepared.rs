@@ -53,16 +53,6 @@ impl Prepared {
         cost.min(self.unforeseen.unwrap_or(f32::MAX))
     }
 
-    /// What a pixel of a hole costs as background. Once all other photos are weighed in, a hole needs no rule of its own.
-    /// \[nats\]
-    pub(crate) fn of_hole(&self, i: usize) -> f32 {
-        let more = self.person.get(i).map_or(0.0, |p| p.max(0.0));
-        match self.unforeseen {
-            Some(_) => FLAT,
-            None => self.cost[i] + more,
-        }
-    }
-
     /// Takes it that pixels show the background.
     pub(crate) fn lay_bare(&mut self, pixels: &[usize]) {
         for i in pixels {

@@ -1,7 +1,7 @@
 //! Features as points in space: which pixels show something far behind the subject, and which space is free.
 
+use crate::cells::Block;
 use crate::scene::still_and_disk::Shot;
-use crate::walk::block::Block;
 use nalgebra::{Matrix3, Point3, Vector2, Vector3};
 use shape::{Camera, PhotoId, Tracks};
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! The subject amid the cameras: colours and cells in turn, from what all cameras look at.
 
+use crate::cells::Block;
 use crate::raster::as_mask;
 use crate::scene::still_and_disk::Shot;
-use crate::walk::block::Block;
 use crate::walk::colors::{Colors, Samples};
 use crate::walk::features::free;
 use crate::walk::space::Scene;

@@ -1,9 +1,10 @@
 //! Where the subject ends below: a level plane, as a photo sees it.
 
+use crate::cells::Block;
 use crate::raster::{as_mask, raster};
 use crate::scene::still_and_disk::Shot;
-use crate::walk::block::Block;
 use crate::walk::find::Subject;
+use crate::walk::outline::cell_px;
 use nalgebra::Point2;
 use shape::{Camera, Image};
 
@@ -50,8 +51,7 @@ impl FloorCut {
     pub(crate) fn shown(&self, block: &Block, shot: &Shot) -> Image<bool> {
         let (w, h) = (shot.small.width, shot.small.height);
         let above = block.shown(&self.above, &shot.camera, w, h);
-        let far = shot.camera.centre().coords.norm();
-        let px = (block.cell * shot.camera.lens.focal[0] / far) as f32;
+        let px = cell_px(block, shot);
         let depth = shape::signed_distance(&as_mask(&above));
         raster(
             w,

@@ -6,7 +6,6 @@
 //! cut, and both again. That a cell is free where one photo sees the background through it: Djelouah et al.
 //! (2013). Features behind the subject, which a walk gives for nothing, show it without colours.
 
-mod block;
 mod colors;
 mod doubt;
 mod features;

@@ -3,9 +3,9 @@
 use crate::cut::least_cut::{Known, Window, cut_by_odds};
 use crate::label::parts::parts;
 
+use crate::cells::Block;
 use crate::raster::{as_mask, raster};
 use crate::scene::still_and_disk::Shot;
-use crate::walk::block::Block;
 use crate::walk::colors::Colors;
 use crate::walk::features::Spot;
 use shape::{Image, signed_distance};

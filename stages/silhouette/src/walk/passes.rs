@@ -1,7 +1,7 @@
 //! Outlines from cells, and cells from outlines, until both agree.
 
+use crate::cells::Block;
 use crate::scene::still_and_disk::Shot;
-use crate::walk::block::Block;
 use crate::walk::doubt::alike;
 use crate::walk::find::{Search, Subject, cells, next_colors};
 use crate::walk::outline::{Hold, behind, cell_px, depth, outline, sureness};

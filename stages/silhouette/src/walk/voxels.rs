@@ -1,9 +1,9 @@
 //! Which cells are the subject: the evidence of every photo for each, and a least cut through the block.
 
+use crate::cells::Block;
 use crate::cut::least_cut::UNIT;
 use crate::cut::maxflow::Grid;
 use crate::scene::still_and_disk::Shot;
-use crate::walk::block::Block;
 use rayon::prelude::*;
 use shape::Image;
 
