@@ -109,7 +109,7 @@ pub static CATALOG: Catalog = Catalog {
 /// Every kind of message, crate by crate and file by file. A list of a file's that nobody joins is code that nobody uses,
 /// which does not pass the compiler.
 #[cfg_attr(not(feature = "serve"), allow(dead_code))]
-const KINDS_OF_MESSAGES: [&[&[Template]]; 12] = [
+const KINDS_OF_MESSAGES: [&[&[Template]]; 14] = [
     command::MESSAGES,
     engine::MESSAGES,
     capture::MESSAGES,
@@ -121,6 +121,8 @@ const KINDS_OF_MESSAGES: [&[&[Template]]; 12] = [
     report::MESSAGES,
     shape::MESSAGES,
     silhouette::MESSAGES,
+    stage::MESSAGES,
+    study::MESSAGES,
     turning::MESSAGES,
 ];
 

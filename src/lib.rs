@@ -18,7 +18,7 @@ pub use cli::{Measured, measured};
 pub use command;
 pub use engine;
 pub use program::{check_arguments, main, program, program_over};
-pub use study::{compare, girth_file, over_time, repeat, score};
+pub use study::{compare, girth_file, over_time, reader, repeat, score};
 // The engine's modules, under the names by which the product knows them.
 pub use engine::{
     delivery, differ, drawing, graph, history, impact, key, lasttime, past, pattern, plan,

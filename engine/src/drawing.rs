@@ -52,7 +52,7 @@ pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<Str
         "svg" => {
             return Err("no picture is drawn here: give --as dot, and `dot -Tsvg` draws it".into());
         }
-        other => return Err(stage::unknown("format", other, &["dot", "mermaid"])),
+        other => return Err(stage::unknown("format", other, &["dot", "mermaid"]).into()),
     };
     let _ = writeln!(
         text,

@@ -141,6 +141,8 @@ pub use system::{is_alive, private_file};
 pub const MESSAGES: &[&[stage::Template]] = &[
     delivery::error::MESSAGES,
     engine_error::MESSAGES,
+    recipe::MESSAGES[0],
+    recipe::MESSAGES[1],
     source::MESSAGES,
     store::error::MESSAGES,
 ];

@@ -64,7 +64,9 @@ impl Outcome {
     pub fn blob(&self, name: &str) -> Result<(Blob, &'static dyn AnyStage), ResultError> {
         let Some(at) = self.names.iter().position(|(node, _)| node == name) else {
             let known: Vec<&str> = self.names.iter().map(|(node, _)| node.as_str()).collect();
-            return Err(ResultError::Unknown(stage::unknown("node", name, &known)));
+            return Err(ResultError::Unknown(
+                stage::unknown("node", name, &known).into(),
+            ));
         };
         let (node, stage) = (name.to_owned(), self.names[at].1);
         let Some(content) = self.nodes[at].as_ref().and_then(|done| done.content) else {

@@ -1,16 +1,27 @@
 //! `tailor compare`: variants, runs and folders side by side.
 
 use super::compare_replicates::{Against, changed, of_folders, of_variants};
+use super::spoken::Spoken;
 use crate::catalog::CATALOG;
 use crate::compare::{NodeRun, Side, TechnicalErrors, compare, json, markdown, mixed, page};
 use crate::repeat::technical_errors;
 use crate::store::Store;
 use crate::{delivery, walk};
 use clap::Args;
-use command::text::count;
 use command::{Change, Fault, GlobalArgs, execute, folders, open_pipeline};
 use engine::past::ago;
+use stage::message;
 use std::path::{Path, PathBuf};
+use study::reader::English;
+
+stage::messages! {
+    GONE = "cli-compare-gone": "`{run}`: the record of that run is gone";
+    NO_FOLDER = "cli-compare-folder": "`{folder}` is no folder; to compare variants, name their pipeline first: tailor compare body as-is quick --input photos=DIR";
+    NO_PIPELINE = "cli-compare-pipeline": "--replicate runs variants: name their pipeline first: tailor compare paper-synth rigid_once median_once --replicate 8";
+    NO_REPEAT = "cli-compare-repeat": "{file}: {why}";
+    NO_RUN = "cli-compare-run": "`{run}`: the cache knows {count} {count|run|runs}";
+    TWO = "cli-compare-two": "give two or more to compare: folders that `tailor measure` wrote, `last` and `last~1`, or one pipeline (its file, or the name of a built-in one) and variants of it";
+}
 
 /// Arguments of `tailor compare`.
 #[derive(Args)]
@@ -41,23 +52,26 @@ pub(crate) struct CompareArgs {
     /// Leave the photos off the page
     #[arg(long)]
     no_photos: bool,
+    #[command(flatten)]
+    spoken: Spoken,
 }
 
 /// Compares two or more sides and writes the page.
 pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(), Fault> {
+    args.spoken.read(compared(args, global))
+}
+
+fn compared(args: &CompareArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let (pipeline, what) = sorted(&args.what, global)?;
     if let Some(out) = &args.out {
-        delivery::check(out).map_err(Fault::input)?;
+        delivery::check(out).map_err(Fault::of)?;
     }
     let replicated = match (args.replicate, pipeline) {
         (Some(times), Some(file)) => {
             let stated = (times, args.tell.as_slice(), &args.change);
             Some(of_variants(file, &what, stated, global))
         }
-        (Some(_), None) => {
-            let why = "--replicate runs variants: name their pipeline first: tailor compare paper-synth rigid_once median_once --replicate 8";
-            return Err(Fault::input(why));
-        }
+        (Some(_), None) => return Err(Fault::coded(&message!(NO_PIPELINE))),
         (None, _) => of_folders(&what),
     };
     if let Some(against) = replicated {
@@ -98,18 +112,18 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
                 )?;
                 let store = Store::open(&global.cache).map_err(Fault::input)?;
                 Side::from_run(text, &outcome.json(graph), &store, &CATALOG)
-                    .map_err(Fault::stage)?
+                    .map_err(|why| Fault::of(why).of_stage())?
             }
         });
     }
     if let Some(why) = mixed(&sides) {
-        return Err(Fault::input(why));
+        return Err(Fault::coded(&why));
     }
     let comparison = compare(sides, args.tolerance_mm, &known);
     let pretty = || serde_json::to_string_pretty(&json(&comparison)).expect("bug: JSON");
     if let Some(folder) = &args.out {
         for (file, text) in [
-            ("compare.md", markdown(&comparison)),
+            ("compare.md", markdown(&comparison, &English)),
             ("compare.json", pretty()),
             ("compare.html", page(&comparison, !args.no_photos)),
         ] {
@@ -119,7 +133,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     }
     match global.json {
         true => command::outln!("{}", pretty()),
-        false => command::out!("{}", markdown(&comparison)),
+        false => command::out!("{}", markdown(&comparison, &args.spoken.words())),
     }
     Ok(())
 }
@@ -161,10 +175,7 @@ fn sorted<'a>(
         .filter(|word| pipeline.is_none_or(|p| !std::ptr::eq(p, *word)))
         .collect();
     match what.len() < 2 || what.iter().any(file) {
-        true => Err(Fault::input(
-            "give two or more to compare: folders that `tailor measure` wrote, `last` and `last~1`, or one pipeline (its file, \
-             or the name of a built-in one) and variants of it",
-        )),
+        true => Err(Fault::coded(&message!(TWO))),
         false => Ok((pipeline, what)),
     }
 }
@@ -181,7 +192,8 @@ pub(super) fn known_errors(file: Option<&Path>) -> Result<TechnicalErrors, Fault
     let Some(file) = file else {
         return Ok(TechnicalErrors::new());
     };
-    let wrong = |why: String| Fault::input(format!("{}: {why}", file.display()));
+    let shown = file.display().to_string();
+    let wrong = |why: String| Fault::coded(&message!(NO_REPEAT, file = &shown, why = why));
     let text = std::fs::read_to_string(file).map_err(|e| wrong(e.to_string()))?;
     technical_errors(&text).map_err(wrong)
 }
@@ -192,19 +204,14 @@ fn found(text: &str, global: &GlobalArgs) -> Result<Side, Fault> {
         (Some(pinned), _) => Some(pinned),
         (None, Some(ago)) => {
             let ids = crate::past::ids(&global.cache);
-            let unknown = || {
-                Fault::input(format!(
-                    "`{text}`: the cache knows {}",
-                    count(ids.len(), "run")
-                ))
-            };
+            let unknown = || Fault::coded(&message!(NO_RUN, run = text, count = ids.len()));
             Some(ids.get(ago).ok_or_else(unknown)?.clone())
         }
         (None, None) => None,
     };
     if let Some(id) = id {
         let store = Store::open(&global.cache).map_err(Fault::input)?;
-        let gone = || Fault::input(format!("`{text}`: the record of that run is gone"));
+        let gone = || Fault::coded(&message!(GONE, run = text));
         let (found, nodes) =
             crate::past::nodes_as::<NodeRun>(&global.cache, &id).ok_or_else(gone)?;
         let mut nodes: Vec<NodeRun> = nodes.collect();
@@ -213,16 +220,14 @@ fn found(text: &str, global: &GlobalArgs) -> Result<Side, Fault> {
                 .iter_mut()
                 .for_each(|node| node.status = "found".into());
         }
-        return Side::from_nodes(text, nodes, &store, &CATALOG).map_err(Fault::input);
+        return Side::from_nodes(text, nodes, &store, &CATALOG).map_err(Fault::of);
     }
     let folder = Path::new(text);
     if !folder.is_dir() {
-        return Err(Fault::input(format!(
-            "`{text}` is no folder; to compare variants, name their pipeline first: tailor compare body as-is quick --input photos=DIR"
-        )));
+        return Err(Fault::coded(&message!(NO_FOLDER, folder = text)));
     }
     let name = folder
         .file_name()
         .map_or(text.to_owned(), |n| n.to_string_lossy().into_owned());
-    Side::from_folder(&name, folder).map_err(Fault::input)
+    Side::from_folder(&name, folder).map_err(Fault::of)
 }

@@ -8,7 +8,15 @@ use command::{Change, Fault, GlobalArgs, folders};
 use engine::Options;
 use engine::walk::Watch;
 use serde_json::{Value, json};
+use stage::{Message, message};
 use std::path::Path;
+
+stage::messages! {
+    NO_POINT = "cli-compare-point": "these sweeps have no point in common: the same params and replicates are compared, one by one";
+    NO_SWEEP = "cli-compare-sweep": "this is no sweep.json of `sweep --out`";
+    VARIANTS = "cli-compare-variants": "its points are of several variants, which its own page compares; give folders of one each";
+    WRONG = "cli-compare-file": "{file}: {why}";
+}
 
 /// What each side is called, and its points.
 type Sides = Vec<(String, Vec<Reported>)>;
@@ -99,7 +107,7 @@ pub(super) fn of_variants(
         .cancel()
         .load(std::sync::atomic::Ordering::Relaxed)
     {
-        return Err(Fault::input("stopped; run the same command to go on"));
+        return Err(Fault::stopped());
     }
     let reported: Vec<Reported> = rows.iter().map(Reported::of).collect();
     let own = |text: &&String| {
@@ -116,17 +124,17 @@ pub(super) fn of_folders(what: &[&String]) -> Option<Result<Against, Fault>> {
         return None;
     }
     let read = |text: &&String| {
-        let wrong = |why: &str| Fault::input(format!("{}: {why}", file(text).display()));
-        let bytes = std::fs::read(file(text)).map_err(|e| wrong(&e.to_string()))?;
-        let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| wrong(&e.to_string()))?;
-        let reported = Reported::read(&sweep)
-            .ok_or_else(|| wrong("this is no sweep.json of `sweep --out`"))?;
+        let shown = file(text).display().to_string();
+        let wrong = |why: Message| Fault::coded(&message!(WRONG, file = &shown, why = why));
+        let bytes = std::fs::read(file(text)).map_err(|e| wrong(e.to_string().into()))?;
+        let sweep: Value =
+            serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string().into()))?;
+        let reported = Reported::read(&sweep).ok_or_else(|| wrong(message!(NO_SWEEP)))?;
         if reported
             .iter()
             .any(|t| t.variant.is_some() && t.variant != reported[0].variant)
         {
-            let why = "its points are of several variants, which its own page compares; give folders of one each";
-            return Err(wrong(why));
+            return Err(wrong(message!(VARIANTS)));
         }
         Ok(((*text).clone(), reported))
     };
@@ -134,9 +142,7 @@ pub(super) fn of_folders(what: &[&String]) -> Option<Result<Against, Fault>> {
     Some(sides.and_then(|sides| {
         let against = Against::new(sides);
         match against.pairs.iter().any(Vec::is_empty) {
-            true => Err(Fault::input(
-                "these sweeps have no point in common: the same params and replicates are compared, one by one",
-            )),
+            true => Err(Fault::coded(&message!(NO_POINT))),
             false => Ok(against),
         }
     }))

@@ -36,6 +36,8 @@ pub use measuring::{Measured, measured};
 /// Every kind of message of these files.
 #[cfg_attr(not(feature = "serve"), allow(dead_code))]
 pub(crate) const MESSAGES: &[&[stage::Template]] = &[
+    compare::MESSAGES,
+    compare_replicates::MESSAGES,
     delivered::MESSAGES,
     doctor::MESSAGES,
     facts::MESSAGES,
@@ -48,5 +50,7 @@ pub(crate) const MESSAGES: &[&[stage::Template]] = &[
     measuring::MESSAGES,
     numbers::MESSAGES,
     pipeline::MESSAGES,
+    scoring::MESSAGES,
     source::MESSAGES,
+    stated::MESSAGES,
 ];

@@ -34,6 +34,16 @@ impl Spoken {
     }
 }
 
+impl study::reader::Reader for Words {
+    fn message(&self, message: &Message) -> String {
+        in_words(*self, message)
+    }
+
+    fn number(&self, number: String) -> String {
+        self.written(&number)
+    }
+}
+
 /// A message of a stage. The English texts of pages speak of their fields where stages speak of flags.
 pub(super) fn reported(words: Words, message: &Message) -> String {
     match words.language {

@@ -4,6 +4,11 @@ use crate::catalog::{CATALOG, PERSONAL};
 use crate::graph::Graph;
 use crate::recipe::{Overrides, Pipeline};
 use command::Fault;
+use stage::message;
+
+stage::messages! {
+    GIVEN = "cli-given": "`{flag}`: {what}";
+}
 
 /// The node that reads the photos, and its param that takes facts.
 const PLACE: &str = "photos.facts";
@@ -73,9 +78,16 @@ pub(super) fn opened(
         None => Pipeline::built_in(name, &CATALOG),
     };
     let graph = pipeline.and_then(|p| p.graph(&overrides));
-    graph.map_err(|mistakes| {
-        let as_given =
-            |text: String, s: &Stated| text.replace(&format!("--set {}", s.set), &s.flag);
-        Fault::input(stated.iter().fold(mistakes.to_string(), as_given))
+    graph.map_err(|mut mistakes| {
+        for mistake in &mut mistakes.all {
+            let field = |name: &str| mistake.what.fields().get(name).cloned();
+            let given = stated
+                .iter()
+                .find(|s| field("set") == Some((&s.set).into()));
+            if let (Some(given), Some(what)) = (given, field("what")) {
+                mistake.what = message!(GIVEN, flag = &given.flag, what = what);
+            }
+        }
+        Fault::mistakes(mistakes)
     })
 }

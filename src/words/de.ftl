@@ -597,6 +597,7 @@ rig-among = die Marken { $first } bis { $last } von `rim` sind auch in `mat`: ih
 rig-day = ein Tag wie "2016-05-01"
 rig-day-or-exif = ein Tag wie "2026-05-01" oder "exif" für den der Fotos
 rig-ends = eine Liste von Fotos mit den beiden Enden in jedem, { $example },
+rig-facts = muss eine Tabelle mit Schlüsseln von capture.toml sein, { $value } ist aber keine
 rig-family = tag36h11, denn nur diese Familie ist bekannt,
 rig-file-and-facts = capture.toml und was daneben angegeben ist: { $what }
 rig-file = capture.toml: { $what }
@@ -799,3 +800,123 @@ warn-worn = was getragen wird, steht am Saum von den Beinen ab, darum können bi
 warn-worn-hides = was getragen wird, steht am Saum, { $height } über dem Boden, um { $off } von den Beinen ab, darum ist der Körper darunter nicht bekannt: enge kurze Hosen tragen
 warn-wrong-place = { $after } kommt in der Drehung vor { $before }, nicht danach: die Fotos in die Reihenfolge der Drehung bringen
 warn-zoomed = { $name } wurde mit { $focal } aufgenommen, die meisten mit { $usual }: während einer Drehung nicht zoomen; neu aufnehmen oder weglassen
+
+# Mistakes of `--set`, `tailor compare`, `tailor score`
+compare-against = gegen
+compare-all = alle
+compare-bias = Bias [mm]
+compare-changed = verändert
+compare-changed-not = nein
+compare-changed-yes = JA
+compare-cost = Zeit und Größe
+compare-differs = { $side } weicht ab `{ $node }` von { $first } ab ({ $count } von { $all } Ergebnissen).
+compare-farthest = am weitesten [mm]
+compare-girth = Umfang
+compare-girths = Umfänge mit dem Maßband
+compare-intervals = nach Intervallen [mm]
+compare-laid = { $side }, auf { $first } gelegt (um { $turned } gedreht, um { $moved } verschoben)
+compare-legend = Differenz: das Maßband weniger dem der ersten Seite. Nach Intervallen: die wahre Differenz ist neun von zehn Malen darin. LSC: kleinste Veränderung, die zählt; zwei Messungen desselben Körpers übertreffen sie einmal von zwanzig Malen; verändert: ob die Differenz größer ist.
+compare-lsc = LSC [mm]
+compare-mean = Mittel [mm]
+compare-met-again = Andere Werte, dieselben Ergebnisse: { $nodes }.
+compare-mixed = Längen von { $relative } sind relativ, denn es war keine bekannte Länge angegeben, die von { $metric } sind Zentimeter: Das lässt sich nicht vergleichen
+compare-node = Knoten
+compare-off = Differenz [mm]
+compare-only = Nur { $side } hat { $nodes }.
+compare-other = andere Seite
+compare-95 = 95 % innerhalb [mm]
+compare-relative = relativ
+compare-rms = RMS [mm]
+compare-same = { $side } hat in jedem Knoten dieselben Bytes wie { $first }.
+compare-same-shared = { $side } hat in jedem Knoten, den beide haben, dieselben Bytes wie { $first }.
+compare-settings = Werte, die verschieden sind
+compare-surface = Oberfläche
+compare-surfaces = Oberflächen, von der ersten aus
+compare-to = { $low } bis { $high }
+compare-volume = Volumen [l]
+compare-what = was
+compare-within = innerhalb
+compare-within-not = NEIN, { $mm } mm
+compare-within-yes = ja, { $mm } mm
+recipe-unknown = { $what ->
+    [node] einen Knoten
+    [variant] eine Variante
+    [stage] eine Stufe
+   *[other] „{ $what }“
+    } `{ $name }` gibt es nicht; bekannt: { $known }
+recipe-unknown-near = { $what ->
+    [node] einen Knoten
+    [variant] eine Variante
+    [stage] eine Stufe
+   *[other] „{ $what }“
+    } `{ $name }` gibt es nicht; ist `{ $near }` gemeint? bekannt: { $known }
+recipe-unknown-none = { $what ->
+    [node] einen Knoten
+    [variant] eine Variante
+    [stage] eine Stufe
+   *[other] „{ $what }“
+    } `{ $name }` gibt es nicht; es gibt keine
+recipe-choice = { $value } ist keines von { $words }
+recipe-missing = fehlt: { $name } ist { $wanted }
+recipe-range = { $value } ist außerhalb: von { $least } bis { $most }
+recipe-type = muss { $wanted } sein, { $value } ist aber { $got }
+recipe-a-boolean = ein Wahrheitswert
+recipe-a-list = eine Liste
+recipe-a-number = eine Zahl
+recipe-a-section = ein Abschnitt aus benannten Tabellen
+recipe-a-table = eine Tabelle
+recipe-a-text = ein Text
+recipe-a-whole = eine ganze Zahl
+recipe-a-within = { $kind } von { $least } bis { $most }
+recipe-a-one-of = eines von { $words }
+recipe-entry = `{ $section }.{ $entry }`: { $what }
+recipe-of-stage = { $stage }: { $what }
+recipe-param = `{ $name }`: { $what }
+recipe-set = `--set { $set }`: { $what }
+recipe-set-form = KNOTEN.PARAM=WERT angeben, wie hull.voxel_mm=2
+score-all = alles
+score-at-plane = Maßband an der Ebene      dort wahr cm   Band cm  Fläche %  Fläche mm
+score-cameras = Kameras   { $found } von { $of }; Maßstab { $scale } %; Zentren im Median { $median } mm, höchstens { $worst } mm; Drehung { $rotation } °; Brennweite { $focal } %
+score-count = { $count } von { $all }
+score-fail = ZU WEIT (±{ $mm } mm)
+score-fail-all = ZU WEIT: { $within } von { $all } in { $mm } mm
+score-girths = Umfang      wahr cm      cm  Fehler %   Band %  Band mm = Fläche + Höhe     ISO 20685-1
+score-iso = Maßband   Fehler %        Fehler mm       ISO 20685-1           Wahrheit im Intervall
+score-masks = Masken    { $count } verglichen; Schnitt durch Vereinigung im Mittel { $mean }, mindestens { $worst }
+score-nothing = nichts zu vergleichen: weder Kameras noch Masken, eine Oberfläche oder Umfänge sind auf beiden Seiten
+score-no-scale = ihre Längen sind relativ, denn es war keine bekannte Länge angegeben, oder bekannte Längen widersprechen sich: Mit Zentimetern lassen sie sich nicht vergleichen; beim Messen eine angeben, etwa --stature, und das bewerten
+score-no-section = die wahre Oberfläche hat dort keinen solchen Schnitt: Glied und Rumpf sind eins, oder die Ebene geht vorbei
+score-no-views = ihr fehlt die Liste `views`
+score-not-measured = nicht gemessen
+score-not-numbers = `{ $key }` von { $name } sind keine { $count } Zahlen
+score-open = Fläche    { $faces } Dreiecke, NICHT geschlossen
+score-outside = außerhalb seines Intervalls
+score-paper = relativer Fehler % hier            Paper, Tabelle I Paper, Tabelle II
+score-part = im Mittel { $mean } mm, 90 % innerhalb { $within } mm, Bias { $bias } mm; vollständig { $at_2 } % bei 2 mm, { $at_5 } % bei 5 mm
+score-pass = erfüllt (±{ $mm } mm)
+score-pass-all = erfüllt: { $within } von { $all } in { $mm } mm
+score-surface = Fläche    { $faces } Dreiecke, geschlossen
+score-trunk = Rumpf
+fail-score-file = { $path }: { $why }
+fail-side-file = { $path }: { $why }
+cli-side-folder = { $path } fehlt: einen Ordner angeben, den `tailor measure` geschrieben hat
+fail-side-gone = ein Ergebnis von { $name } ({ $what }) ist nicht mehr im Zwischenspeicher: noch einmal laufen lassen
+fail-side-record = { $name } ist kein Protokoll eines Laufs
+cli-compare-file = { $file }: { $why }
+cli-compare-folder = `{ $folder }` ist kein Ordner; um Varianten zu vergleichen, zuerst ihre Pipeline nennen: tailor compare body as-is quick --input photos=ORDNER
+cli-compare-gone = `{ $run }`: Das Protokoll dieses Laufs fehlt
+cli-compare-pipeline = --replicate lässt Varianten laufen: zuerst ihre Pipeline nennen: tailor compare paper-synth rigid_once median_once --replicate 8
+cli-compare-point = diese Reihen haben keinen Punkt gemeinsam: Verglichen werden dieselben Parameter und Wiederholungen, Stück für Stück
+cli-compare-repeat = { $file }: { $why }
+cli-compare-run = `{ $run }`: Der Zwischenspeicher kennt { $count ->
+    [one] einen Lauf
+   *[other] { $count } Läufe
+    }
+cli-compare-sweep = das ist kein sweep.json von `sweep --out`
+cli-compare-two = zwei oder mehr angeben: Ordner, die `tailor measure` geschrieben hat, `last` und `last~1`, oder eine Pipeline (ihre Datei, oder den Namen einer eingebauten) und Varianten davon
+cli-compare-variants = ihre Punkte sind von mehreren Varianten, die ihre eigene Seite vergleicht; Ordner von je einer angeben
+cli-given = `{ $flag }`: { $what }
+cli-score-beyond = { $name } ist um { $error } % daneben, nicht innerhalb { $most } %
+cli-score-beyond-surface = { $name } ist an der gemessenen Ebene um { $error } % daneben, nicht innerhalb { $most } %
+cli-score-percent = `{ $flag } { $wanted }`: NAME=PROZENT angeben, wie WC=1
+cli-score-unmeasured = { $name } wurde nicht gemessen, oder die Wahrheit ist nicht bekannt

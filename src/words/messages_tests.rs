@@ -56,7 +56,9 @@ fn no_text_has_the_code_of_a_message_that_is_not_there() {
     for language in Language::ALL {
         for line in language.texts().lines() {
             let key = line.split(" =").next().unwrap_or_default();
-            let begins = ["warn-", "find-", "fail-", "cli-", "rig-"];
+            let begins = [
+                "warn-", "find-", "fail-", "cli-", "rig-", "recipe-", "compare-", "score-",
+            ];
             let of_messages = begins.iter().any(|begin| key.starts_with(begin));
             assert!(!of_messages || kind(key).is_some(), "{key} is no code");
         }
@@ -77,7 +79,7 @@ fn texts_of_stages_on_pages_name_no_flag_and_no_file_of_the_command_line() {
     ];
     // A `capture.toml` is a file of who wrote it, by its keys.
     let own = |kind: &&Template| {
-        ["cli-", "rig-"]
+        ["cli-", "rig-", "recipe-", "compare-", "score-"]
             .iter()
             .any(|own| kind.code.starts_with(own))
     };

@@ -63,6 +63,8 @@ fn folders() -> Place {
     place.photos("many", 9);
     place.write("many/a\nb.jpg", "x");
     place.write("mine/capture.toml", "");
+    place.write("viewless/cameras.json", "{}");
+    place.write("relative/girths.json", r#"{ "unit": "relative" }"#);
     for (at, known) in MISTAKES.iter().enumerate() {
         let folder = format!("known/{at}");
         place.photos(&folder, 9);
@@ -118,6 +120,52 @@ const FLAGS: [&str; 21] = [
     "--mat mat.txt",
 ];
 
+/// What may be wrong in a `--set`.
+const SETS: [&str; 13] = [
+    "foo",
+    "nope.x=3",
+    "hul.voxel_mm=3",
+    "hull.x=3",
+    "hull.voxel_mm=tall",
+    "hull.voxel_mm=-4",
+    "hull.memory_mb=0.5",
+    "photos.stop=[1]",
+    "params.foo=3",
+    "girths.girth.mine=3",
+    "girths.girth.mine.part=3",
+    "girths.girth.mine.foo=3",
+    "photos.facts=3",
+];
+
+/// What may be wrong of places, runs and sides.
+const LINES: [&str; 25] = [
+    "measure turn --out mine",
+    "measure turn --out turn/below",
+    "measure turn --out text.txt",
+    "measure turn --cache text.txt",
+    "measure turn --cache mine",
+    "measure turn/../many",
+    "measure masked",
+    "measure cloud.ply",
+    "measure torn.ply",
+    "measure turn two --profile p.json",
+    "measure turn/0000.jpg turn/0001.jpg",
+    "measure turn turn --out one",
+    "measure empty empty/../raw --out one",
+    "compare turn",
+    "compare turn empty",
+    "compare nowhere elsewhere",
+    "compare last~999 turn",
+    "compare turn turn --replicate 2",
+    "compare body as-is nothing",
+    "compare body as-is quick=2",
+    "score turn --truth turn --require WC",
+    "score turn --truth turn --require WC=1",
+    "score turn --truth turn --require-surface WC=1",
+    "score viewless --truth viewless",
+    "score relative --truth turn",
+];
+
 #[test]
 fn no_error_that_who_measures_meets_is_the_same_in_german() {
     let place = folders();
@@ -137,21 +185,7 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
         verbs.map(|verb| (format!("{verb} {words}"), "--lang de"))
     });
     let out = |line: &str| (line.to_owned(), "--lang de");
-    let measured = [
-        "measure turn --out mine",
-        "measure turn --out turn/below",
-        "measure turn --out text.txt",
-        "measure turn --cache text.txt",
-        "measure turn --cache mine",
-        "measure turn/../many",
-        "measure masked",
-        "measure cloud.ply",
-        "measure torn.ply",
-        "measure turn two --profile p.json",
-        "measure turn/0000.jpg turn/0001.jpg",
-        "measure turn turn --out one",
-        "measure empty empty/../raw --out one",
-    ];
+    let sets = SETS.map(|set| (format!("measure turn --set {set}"), "--lang de"));
     let known = (0..MISTAKES.len()).map(|at| format!("measure known/{at}"));
     let known = known.map(|line| (line, "--lang de"));
     let verbs = [
@@ -164,7 +198,12 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
         "mat --diameter-mm 600 --rim-mm 30 --rim-count 200 -o mat.svg",
     ];
     let verbs = verbs.map(|line| (line.to_owned(), "LANG"));
-    for (line, german) in looked.chain(measured.map(out)).chain(known).chain(verbs) {
+    for (line, german) in looked
+        .chain(LINES.map(out))
+        .chain(sets)
+        .chain(known)
+        .chain(verbs)
+    {
         let [english, german] = both(&place, &line, german).map(|printed| printed.err);
         // Names of folders and nodes are the same.
         let sentence = |line: &&str| line.split_whitespace().count() > 2;
@@ -176,5 +215,25 @@ fn no_error_that_who_measures_meets_is_the_same_in_german() {
             same.is_none() && !english.is_empty() && !german.is_empty(),
             "{line}: {english:#?} {german:#?}"
         );
+    }
+}
+
+#[test]
+fn compare_and_score_print_german() {
+    let place = Place::new();
+    place.run("run small.toml --out one").code(0);
+    place
+        .run("run small.toml --out two --set body.cell_mm=50")
+        .code(0);
+    place.photos("turn", 2);
+    for line in ["compare one two", "score turn --truth turn"] {
+        let [english, german] = both(&place, line, "--lang de").map(|printed| printed.out);
+        let words = |line: &&str| line.contains(|c: char| c.is_alphabetic());
+        let same = |line: &&str| german.contains(line) && !line.contains("cell_mm");
+        // Nodes have their names in every language.
+        let same: Vec<&str> = english.lines().filter(words).filter(same).collect();
+        let nodes = same.iter().filter(|line| line.starts_with("| "));
+        assert_eq!(nodes.count(), same.len(), "{line}: {same:#?} {german}");
+        assert_ne!(english, german);
     }
 }

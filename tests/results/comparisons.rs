@@ -95,7 +95,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_reported() {
     let apart = c.apart[0].as_ref().unwrap();
     assert!((apart.max_mm - 48f64.sqrt()).abs() < 1e-3, "{apart:?}");
     proof::near(apart.volume_l, 1.04f64.powi(3) - 1.0, 1e-5);
-    let words = markdown(&c);
+    let words = markdown(&c, &tailor::reader::English);
     for line in [
         "b differs from a from `hull` on (2 of 3 results).",
         "| WC (WC)",
@@ -126,7 +126,10 @@ fn what_is_given_otherwise_and_makes_the_same_bytes_is_no_divergence() {
     assert_eq!(c.differences[0].first, None);
     assert_eq!(c.differences[0].met_again, ["hull"]);
     assert_eq!(c.apart[0].as_ref().unwrap().max_mm, 0.0);
-    assert!(markdown(&c).contains("b made the same bytes as a in every node."));
+    assert!(
+        markdown(&c, &tailor::reader::English)
+            .contains("b made the same bytes as a in every node.")
+    );
 }
 
 #[test]
@@ -282,6 +285,6 @@ fn a_surface_that_is_placed_differently_is_aligned_to_the_first_before_it_is_jud
     assert!(laid.apart.mean_mm < 0.2, "{:?}", laid.apart);
     proof::near(laid.turned_deg, 15.0, 0.1);
     assert_eq!(c.laid[1], None);
-    assert!(markdown(&c).contains("b, laid on a (turned 15.0°"));
+    assert!(markdown(&c, &tailor::reader::English).contains("b, laid on a (turned 15.0°"));
     assert!(page(&c, false).contains("laid on a"));
 }

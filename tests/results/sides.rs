@@ -39,7 +39,7 @@ fn tables_of_three_sides_with_long_names_fit_a_page() {
     };
     let sides: Vec<Side> = names.iter().enumerate().map(side).collect();
     let c = compare(sides, None, &TechnicalErrors::new());
-    let words = markdown(&c);
+    let words = markdown(&c, &tailor::reader::English);
     assert!(words.contains("| girth "), "{words}");
     let rows = words.lines().filter(|l| l.starts_with("| G0_L"));
     assert_eq!(rows.count(), 2, "a row a side: {words}");

@@ -86,7 +86,7 @@ pub(crate) fn stages(
     if found.is_empty() && !program {
         let known = global.catalog().stages().map(|s| s.name());
         let known: Vec<&str> = known.chain([EXEC]).collect();
-        return Err(Fault::input(stage::unknown(
+        return Err(Fault::coded(&stage::unknown(
             "stage",
             name.unwrap_or(""),
             &known,
@@ -120,7 +120,7 @@ pub(crate) fn pipelines(name: Option<&str>, global: &GlobalArgs) -> Result<(), F
         let known: Vec<&str> = catalog.pipelines.iter().map(|(n, _)| *n).collect();
         let found = catalog.pipeline(name);
         let (name, text) =
-            found.ok_or_else(|| Fault::input(stage::unknown("pipeline", name, &known)))?;
+            found.ok_or_else(|| Fault::coded(&stage::unknown("pipeline", name, &known)))?;
         match global.json {
             true => crate::outln!("{}", json!({ "name": name, "text": text })),
             false => crate::out!("{text}"),

@@ -124,7 +124,9 @@ impl Fault {
         let lines: Vec<String> = lines
             .chain(self.more.get("message").and_then(read))
             .collect();
-        if !lines.is_empty() {
+        if let Some(mistakes) = &self.mistakes {
+            self.text = mistakes.as_ref().clone().in_words(words).to_string();
+        } else if !lines.is_empty() {
             let repeat = self.more.get("repeat").and_then(Value::as_str);
             let repeat = repeat.map(|command| format!("{again}: {command}"));
             self.text = lines

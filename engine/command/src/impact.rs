@@ -48,7 +48,7 @@ pub(super) fn reached(graph: &Graph, asked: &[&String], global: &GlobalArgs) -> 
         if shown.len() == before {
             let names: Vec<String> = all.iter().map(full).collect();
             let known: Vec<&str> = names.iter().map(String::as_str).collect();
-            return Err(Fault::input(stage::unknown("param", name, &known)));
+            return Err(Fault::coded(&stage::unknown("param", name, &known)));
         }
     }
     if asked.is_empty() {

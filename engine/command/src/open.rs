@@ -38,7 +38,7 @@ pub(crate) fn open(wanted: &Wanted, global: &GlobalArgs) -> Result<(Graph, Vec<u
 pub fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
     graph.node(name).ok_or_else(|| {
         let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
-        Fault::input(stage::unknown("node", name, &names))
+        Fault::coded(&stage::unknown("node", name, &names))
     })
 }
 

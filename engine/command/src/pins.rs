@@ -37,7 +37,7 @@ pub(super) fn unpin(store: &Store, name: &str, global: &GlobalArgs) -> Result<()
     if !store.unpin(name) {
         let pins = store.pins().map_err(Fault::input)?;
         let known: Vec<&str> = pins.iter().map(|(name, _)| name.as_str()).collect();
-        return Err(Fault::input(stage::unknown("pin", name, &known)));
+        return Err(Fault::coded(&stage::unknown("pin", name, &known)));
     }
     print_either(global, json!({ "unpinned": name }), || {
         vec![format!("{name}: no longer pinned")]

@@ -33,7 +33,7 @@ fn declared<'a>(args: &SearchArgs, pipeline: &'a Pipeline) -> Result<&'a Search,
     found.ok_or_else(|| match (&args.name, known.is_empty()) {
         (_, true) => Fault::input("this pipeline declares no [search.NAME]"),
         (None, _) => Fault::input(format!("name a search: {}", known.join(", "))),
-        (Some(name), _) => Fault::input(stage::unknown("search", name, &known)),
+        (Some(name), _) => Fault::coded(&stage::unknown("search", name, &known)),
     })
 }
 

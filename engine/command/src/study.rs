@@ -100,7 +100,7 @@ fn made(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
         false => {
             let known: Vec<&str> = all.iter().map(String::as_str).collect();
             if let Some(name) = run.names.iter().find(|n| !known.contains(&n.as_str())) {
-                return Err(Fault::input(stage::unknown("study", name, &known)));
+                return Err(Fault::coded(&stage::unknown("study", name, &known)));
             }
             run.names.clone()
         }

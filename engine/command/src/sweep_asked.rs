@@ -131,7 +131,7 @@ pub(super) fn asked(
         None => None,
         Some(name) => {
             let found = recipe.sweeps.iter().find(|s| s.name.value == *name);
-            Some(found.ok_or_else(|| Fault::input(stage::unknown("sweep", name, &known)))?)
+            Some(found.ok_or_else(|| Fault::coded(&stage::unknown("sweep", name, &known)))?)
         }
     };
     let mut all: Vec<Axis> = match declared {

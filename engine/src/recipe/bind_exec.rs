@@ -50,7 +50,7 @@ fn name(text: &str) -> &'static str {
 }
 
 impl<'a> Binder<'a> {
-    pub(super) fn wrong_at(&mut self, spanned: &Spanned<String>, what: impl Into<String>) {
+    pub(super) fn wrong_at(&mut self, spanned: &Spanned<String>, what: impl Into<stage::Message>) {
         self.mistakes.push(Mistake::at(&spanned.span, what));
     }
 

@@ -2,21 +2,22 @@
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use serde_json::{Value, json};
+use stage::Message;
 use std::fmt;
 use std::ops::Range;
 
 /// One mistake.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Mistake {
     /// What is wrong, and what would fit.
-    pub what: String,
+    pub what: Message,
     /// Where in the texts. \[bytes\] `None` for the command line.
     pub span: Option<Range<usize>>,
 }
 
 impl Mistake {
     /// A mistake at a place of the file.
-    pub fn at(span: &Range<usize>, what: impl Into<String>) -> Self {
+    pub fn at(span: &Range<usize>, what: impl Into<Message>) -> Self {
         Mistake {
             what: what.into(),
             span: Some(span.clone()),
@@ -31,7 +32,7 @@ impl Mistake {
     }
 
     /// A mistake on the command line.
-    pub fn spanned(what: impl Into<String>) -> Self {
+    pub fn spanned(what: impl Into<Message>) -> Self {
         Mistake {
             what: what.into(),
             span: None,
@@ -128,7 +129,7 @@ fn at_text(texts: &[Text], span: &Range<usize>) -> usize {
 }
 
 /// All mistakes, in the order of the files.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Mistakes {
     texts: Vec<Text>,
     /// The mistakes.
@@ -155,6 +156,15 @@ impl Mistakes {
         Mistakes::new(file, "", vec![Mistake::spanned(format!("{file} {what}"))])
     }
 
+    /// The same, each read by this.
+    #[must_use]
+    pub fn in_words(mut self, read: impl Fn(&Message) -> String) -> Mistakes {
+        for mistake in &mut self.all {
+            mistake.what = read(&mistake.what).into();
+        }
+        self
+    }
+
     /// For other programs.
     pub fn json(&self) -> Value {
         let lines: Vec<Vec<usize>> = self.texts.iter().map(Text::lines).collect();
@@ -163,7 +173,7 @@ impl Mistakes {
             let text = &self.texts[at];
             let place = m.span.as_ref().map(|s| text.place(s.start, &lines[at]));
             json!({
-                "file": text.name, "what": m.what,
+                "file": text.name, "what": m.what.as_str(),
                 "line": place.map(|p| p.0), "column": place.map(|p| p.1),
             })
         };

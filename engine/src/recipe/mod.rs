@@ -29,6 +29,9 @@ mod variants;
 mod wire;
 mod written;
 
+/// The kinds of messages that are declared here, file by file.
+pub(crate) const MESSAGES: [&[stage::Template]; 2] = [sections::MESSAGES, variant::MESSAGES];
+
 pub use bind::{Beside, bind};
 pub use mistake::{Mistake, Mistakes, Text};
 pub use pipeline::{Pipeline, open, open_text};

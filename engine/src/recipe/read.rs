@@ -64,7 +64,7 @@ impl Key<'_> {
 }
 
 impl Reader {
-    pub(super) fn wrong(&mut self, span: &Range<usize>, what: impl Into<String>) {
+    pub(super) fn wrong(&mut self, span: &Range<usize>, what: impl Into<stage::Message>) {
         self.mistakes.push(Mistake::at(span, what));
     }
 

@@ -6,9 +6,25 @@ use super::mistake::Mistake;
 use super::values::{merged, within};
 use super::written::{KEYS, Node, Section};
 use crate::graph::Bound;
-use stage::{ParamSpec, Value, unknown};
+use stage::{Message, ParamSpec, Value, message, unknown};
 use std::collections::BTreeMap;
 use std::ops::Range;
+
+stage::messages! {
+    ENTRY = "recipe-entry": "`{section}.{entry}`: {what}";
+    OF_STAGE = "recipe-of-stage": "{stage}: {what}";
+    PARAM = "recipe-param": "`{name}` {what}";
+}
+
+/// What is wrong with a param's value.
+pub(super) fn of_param(name: &str, what: Message) -> Message {
+    message!(PARAM, name = name, what = what)
+}
+
+/// What a stage does not take.
+pub(super) fn of_stage(stage: &str, what: Message) -> Message {
+    message!(OF_STAGE, stage = stage, what = what)
+}
 
 impl Binder<'_> {
     /// All that a node is given: entries of the sections that its stage takes, and over them what it
@@ -51,19 +67,19 @@ impl Binder<'_> {
         let spec = specs.iter().find(|p| p.name == path[0]);
         let Some(spec) = spec else {
             let span = pair.map_or(&node.name.span, |(k, _)| &k.span);
-            return Mistake::at(span, format!("{stage}: {}", wrong.what));
+            return Mistake::at(span, of_stage(stage, wrong.what));
         };
         if path.len() == 1 {
             let span = pair.map_or(&node.name.span, |(_, v)| &v.span);
-            return Mistake::at(span, format!("`{}` {}", wrong.name, wrong.what));
+            return Mistake::at(span, of_param(&wrong.name, wrong.what));
         }
         let fields = spec.entry.as_deref().unwrap_or_default();
         let unknown = path
             .get(2)
             .filter(|key| !fields.iter().any(|f| f.name == **key));
         let what = match unknown {
-            Some(_) => format!("`{}.{}`: {}", path[0], path[1], wrong.what),
-            None => format!("`{}` {}", wrong.name, wrong.what),
+            Some(_) => message!(ENTRY, section = path[0], entry = path[1], what = wrong.what),
+            None => of_param(&wrong.name, wrong.what),
         };
         // What the node sets itself goes over the section.
         let own = pair.filter(|(_, v)| within(&v.value, &path[1..]).is_some());

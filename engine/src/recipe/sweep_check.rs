@@ -2,13 +2,14 @@
 
 use super::binder::importer_of;
 use super::mistake::Mistake;
+use super::sections::{of_param, of_stage};
 use super::shared;
 use super::variant::vary;
 use super::written::{Node, Over, Overrides, Recipe, Spanned, Sweep};
 use crate::graph::SHARED;
 use crate::kind::Catalog;
 use crate::numbers::{entries, missing_number};
-use stage::{Value, unknown};
+use stage::{Message, Value, unknown};
 
 /// Whether every sweep means something: nodes, params, values, variants, metrics.
 /// Where variants are not `sound`, what a sweep comes to in them is not checked.
@@ -28,7 +29,7 @@ pub(super) fn check(recipe: &Recipe, sound: bool, catalog: &'static Catalog) -> 
     mistakes
 }
 
-fn wrong(mistakes: &mut Vec<Mistake>, at: &Spanned<String>, what: String) {
+fn wrong(mistakes: &mut Vec<Mistake>, at: &Spanned<String>, what: impl Into<Message>) {
     mistakes.push(Mistake::at(&at.span, what));
 }
 
@@ -198,7 +199,7 @@ fn untold_by_all(
     match spanned.value.split_once('.').map(|(node, _)| node) {
         None => Some("give node.metric, such as \"hull.volume\"".into()),
         Some("error") => None,
-        Some(node) if !names.contains(&node) => Some(unknown("node", node, names)),
+        Some(node) if !names.contains(&node) => Some(unknown("node", node, names).into()),
         Some(node) => {
             let all = recipes
                 .iter()
@@ -243,8 +244,8 @@ fn unfit(
         let spanned = [(name.value.clone(), value.value.clone())].into();
         let wrong = stage.check(&spanned).err().unwrap_or_default();
         let reasons = wrong.into_iter().map(|w| match known {
-            true => Mistake::at(&value.span, format!("`{}` {}", name.value, w.what)),
-            false => Mistake::at(&param.span, format!("{}: {}", stage.name(), w.what)),
+            true => Mistake::at(&value.span, of_param(&name.value, w.what)),
+            false => Mistake::at(&param.span, of_stage(stage.name(), w.what)),
         });
         reasons.collect::<Vec<_>>()
     };

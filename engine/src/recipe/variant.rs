@@ -4,8 +4,13 @@ use super::mistake::Mistake;
 use super::values::{merged, nested, parse_value};
 use super::written::{From, Overrides, Recipe, Spanned, Variant};
 use crate::graph::SHARED;
-use stage::{Value, unknown};
+use stage::{Message, Value, message, unknown};
 use std::ops::Range;
+
+stage::messages! {
+    SET = "recipe-set": "`--set {set}`: {what}";
+    SET_FORM = "recipe-set-form": "give NODE.PARAM=VALUE, such as hull.voxel_mm=2";
+}
 
 /// What is wrong with the variants of a recipe, chosen or not: every node or param that is not there.
 pub(super) fn wrong_variants(recipe: &Recipe) -> Vec<Mistake> {
@@ -56,7 +61,7 @@ pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistak
     }
     for (i, set) in overrides.sets.iter().enumerate() {
         if let Err(what) = apply_set(&mut varied, set, i) {
-            mistakes.push(Mistake::spanned(format!("`--set {set}`: {what}")));
+            mistakes.push(Mistake::spanned(message!(SET, set = set, what = what)));
         }
     }
     if mistakes.is_empty() {
@@ -124,7 +129,7 @@ fn set_shared(
     recipe: &mut Recipe,
     name: Spanned<String>,
     value: Spanned<Value>,
-) -> Result<(), String> {
+) -> Result<(), Message> {
     let names: Vec<&str> = recipe
         .params
         .iter()
@@ -182,7 +187,7 @@ pub(super) fn of_sets(mistakes: Vec<Mistake>, sets: &[String]) -> Vec<Mistake> {
     let spanned = |mistake: Mistake| {
         let at = mistake.span.as_ref().map_or(0, |span| span.start);
         match at.checked_sub(COMMAND_LINE).and_then(|i| sets.get(i)) {
-            Some(set) => Mistake::spanned(format!("`--set {set}`: {}", mistake.what)),
+            Some(set) => Mistake::spanned(message!(SET, set = set, what = mistake.what)),
             None => mistake,
         }
     };
@@ -190,8 +195,8 @@ pub(super) fn of_sets(mistakes: Vec<Mistake>, sets: &[String]) -> Vec<Mistake> {
 }
 
 /// `NODE.PARAM=VALUE`, or `NODE.SECTION.ENTRY.KEY=VALUE`; a bare word is a text.
-fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
-    let shape = || "give NODE.PARAM=VALUE, such as hull.voxel_mm=2".to_owned();
+fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), Message> {
+    let shape = || message!(SET_FORM);
     let (place, value) = text.split_once('=').ok_or_else(shape)?;
     let (node, param) = place.trim().split_once('.').ok_or_else(shape)?;
     let here = on_command_line(i);

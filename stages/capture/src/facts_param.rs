@@ -3,7 +3,11 @@
 use crate::facts::Facts;
 use crate::person_keys::read_person;
 use crate::rig::{RigFile, read_table};
-use stage::{Mistake, ParamType, Value};
+use stage::{Message, Mistake, ParamType, Value, message};
+
+stage::messages! {
+    NO_TABLE = "rig-facts": "wants a table of capture.toml's keys, but {value} is none";
+}
 
 impl ParamType for Facts {
     const NAME: &'static str = "a table of capture.toml's keys";
@@ -16,26 +20,23 @@ impl ParamType for Facts {
 
     /// Every value is checked here; what is missing may be in the file.
     fn read_within(name: &str, value: &Value, mistakes: &mut Vec<Mistake>) -> Option<Self> {
-        let mut wrong = |what: String| {
+        let mut wrong = |what: Message| {
             let name = name.to_owned();
             mistakes.push(Mistake { name, what });
         };
         let Value::Table(given) = value else {
-            wrong(format!("wants {}, but {value} is none", Self::NAME));
+            wrong(message!(NO_TABLE, value = value.to_string()));
             return None;
         };
         let facts = Facts(given.clone());
         match read_table(facts.table()) {
             Ok(RigFile { unknown, .. }) => {
-                unknown.iter().for_each(|what| wrong(what.to_string()));
+                unknown.into_iter().for_each(&mut wrong);
                 let person = read_person(facts.table());
-                person
-                    .err()
-                    .into_iter()
-                    .for_each(|e| wrong(e.what.to_string()));
+                person.err().into_iter().for_each(|e| wrong(e.what));
             }
             Err(error) if error.missing => {}
-            Err(error) => wrong(error.what.to_string()),
+            Err(error) => wrong(error.what),
         }
         Some(facts)
     }

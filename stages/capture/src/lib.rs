@@ -83,6 +83,7 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     video::frames::MESSAGES,
     video::stage::MESSAGES,
     error::MESSAGES,
+    facts_param::MESSAGES,
     CaptureError::MESSAGES,
     ProgramError::MESSAGES,
     RawError::MESSAGES,

@@ -76,7 +76,7 @@ impl<P: Params> ParamType for Named<P> {
 }
 
 fn no_table(at: String, value: &Value) -> Mistake {
-    let what = format!("wants a table, but {value} is {}", value.type_name());
+    let what = crate::param_type::unlike("a table", value);
     Mistake { name: at, what }
 }
 

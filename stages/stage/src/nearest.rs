@@ -1,16 +1,29 @@
 //! "Did you mean": the known name that is nearest to a mistyped one.
 
+use crate::{Message, message};
+
+crate::messages! {
+    UNKNOWN = "recipe-unknown": "there is no {what} `{name}`; known: {known}";
+    UNKNOWN_NEAR = "recipe-unknown-near": "there is no {what} `{name}`; did you mean `{near}`? known: {known}";
+    UNKNOWN_NONE = "recipe-unknown-none": "there is no {what} `{name}`; there are none";
+}
+
 /// The message about an unknown name: the nearest known one, and what there is.
-pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
-    let asked = match nearest(name, known) {
-        Some(near) => format!("did you mean `{near}`? "),
-        None => String::new(),
-    };
-    let there = match known.is_empty() {
-        true => "there are none".to_owned(),
-        false => format!("known: {}", known.join(", ")),
-    };
-    format!("there is no {what} `{name}`; {asked}{there}")
+pub fn unknown(what: &str, name: &str, known: &[&str]) -> Message {
+    let there = known.join(", ");
+    match nearest(name, known) {
+        Some(near) => {
+            message!(
+                UNKNOWN_NEAR,
+                what = what,
+                name = name,
+                near = near,
+                known = there
+            )
+        }
+        None if known.is_empty() => message!(UNKNOWN_NONE, what = what, name = name),
+        None => message!(UNKNOWN, what = what, name = name, known = there),
+    }
 }
 
 /// The known name within a third of the letters by edit distance, the first of the nearest; else the only one that

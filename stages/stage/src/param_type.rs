@@ -1,7 +1,43 @@
 //! The types that a param may have, and how one is read.
 
-use crate::{Mistake, ParamSpec, Value};
+use crate::{Field, Message, Mistake, ParamSpec, Template, Value, message};
 use std::collections::BTreeMap;
+
+crate::messages! {
+    BOOLEAN = "recipe-a-boolean": "a boolean";
+    CHOICE = "recipe-choice": "{value} is none of {words}";
+    LIST = "recipe-a-list": "a list";
+    MISSING = "recipe-missing": "must be given: {name} is {wanted}";
+    NUMBER = "recipe-a-number": "a number";
+    ONE_OF = "recipe-a-one-of": "one of {words}";
+    RANGE = "recipe-range": "{value} is out of range: it must be in {least}..={most}";
+    SECTION = "recipe-a-section": "a section of named tables";
+    TABLE = "recipe-a-table": "a table";
+    TEXT = "recipe-a-text": "a text";
+    UNLIKE = "recipe-type": "wants {wanted}, but {value} is {got}";
+    WHOLE = "recipe-a-whole": "a whole number";
+    WITHIN = "recipe-a-within": "{kind} in {least}..={most}";
+}
+
+/// Words for types, as [`ParamType::NAME`] and [`Value::type_name`] have them.
+const TYPES: [Template; 7] = [BOOLEAN, LIST, NUMBER, SECTION, TABLE, TEXT, WHOLE];
+
+/// The word for a type, with its code where it has one.
+fn type_field(name: &str) -> Field {
+    let known = TYPES.iter().find(|known| known.english == name);
+    known.map_or(name.into(), |known| Message::new(known, []).into())
+}
+
+/// A value is of another type than is wanted.
+pub(crate) fn unlike(wanted: &str, value: &Value) -> Message {
+    let got = type_field(value.type_name());
+    message!(
+        UNLIKE,
+        wanted = type_field(wanted),
+        value = value.to_string(),
+        got = got
+    )
+}
 
 /// A type that a param may have.
 pub trait ParamType: Sized + Clone {
@@ -18,8 +54,8 @@ pub trait ParamType: Sized + Clone {
         let read = Self::read(value);
         if read.is_none() {
             let what = match Self::CHOICES {
-                [] => format!("wants {}, but {value} is {}", Self::NAME, value.type_name()),
-                words => format!("{value} is none of {}", words.join(", ")),
+                [] => unlike(Self::NAME, value),
+                words => message!(CHOICE, value = value.to_string(), words = words.join(", ")),
             };
             let name = name.to_owned();
             mistakes.push(Mistake { name, what });
@@ -127,7 +163,7 @@ pub fn read_one<T: ParamType>(
         if required {
             mistakes.push(Mistake {
                 name: name.into(),
-                what: format!("must be given: {name} is {}", wanted::<T>(range)),
+                what: message!(MISSING, name = name, wanted = wanted::<T>(range)),
             });
         }
         return default;
@@ -140,7 +176,7 @@ pub fn read_one<T: ParamType>(
     {
         mistakes.push(Mistake {
             name: name.into(),
-            what: format!("{value} is out of range: it must be in {lo}..={hi}"),
+            what: message!(RANGE, value = value.to_string(), least = lo, most = hi),
         });
         return default;
     }
@@ -148,10 +184,12 @@ pub fn read_one<T: ParamType>(
 }
 
 /// What would fit, in words.
-fn wanted<T: ParamType>(range: Option<(f64, f64)>) -> String {
+fn wanted<T: ParamType>(range: Option<(f64, f64)>) -> Field {
     match (T::CHOICES, range) {
-        ([], None) => T::NAME.to_owned(),
-        ([], Some((lo, hi))) => format!("{} in {lo}..={hi}", T::NAME),
-        (words, _) => format!("one of {}", words.join(", ")),
+        ([], None) => type_field(T::NAME),
+        ([], Some((lo, hi))) => {
+            message!(WITHIN, kind = type_field(T::NAME), least = lo, most = hi).into()
+        }
+        (words, _) => message!(ONE_OF, words = words.join(", ")).into(),
     }
 }

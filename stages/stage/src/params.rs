@@ -1,6 +1,6 @@
 //! Params: each is one spot with its name and unit, a sentence, a default and a range.
 
-use crate::{NumberSource, Value};
+use crate::{Message, NumberSource, Value};
 use std::collections::BTreeMap;
 
 /// One param, as the reference and the checker know it.
@@ -36,12 +36,12 @@ impl ParamSpec {
 }
 
 /// What is wrong with one param.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Mistake {
     /// The param as it was written; within a section `section.entry.key`.
     pub name: String,
     /// What is wrong, and what would fit.
-    pub what: String,
+    pub what: Message,
 }
 
 /// What the user may tune. Made by [`params!`](crate::params!).

@@ -6,7 +6,12 @@ use crate::repeat::LEAST_CHANGE;
 use crate::score::iso_mm;
 use serde_json::{Map, Value, json};
 use shape::{NINE_IN_TEN, Unit};
+use stage::{Message, message};
 use std::collections::BTreeMap;
+
+stage::messages! {
+    MIXED = "compare-mixed": "lengths of {relative} are relative, for nothing of known length was given, those of {metric} are centimetres: they cannot be compared";
+}
 
 /// One girth of all sides, lengths in their unit.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,19 +102,14 @@ impl GirthRow {
 }
 
 /// Why girths of these sides cannot be compared: some have a scale, some have none.
-pub fn mixed(sides: &[Side]) -> Option<String> {
+pub fn mixed(sides: &[Side]) -> Option<Message> {
     let of = |unit: Unit| -> Vec<&str> {
         let some = sides.iter().filter(|s| s.unit == Some(unit));
         some.map(|s| s.name.as_str()).collect()
     };
     let (metric, relative) = (of(Unit::Metric), of(Unit::Relative));
-    (!metric.is_empty() && !relative.is_empty()).then(|| {
-        format!(
-            "lengths of {} are relative, for nothing of known length was given, those of {} are centimetres: they cannot be compared",
-            relative.join(", "),
-            metric.join(", ")
-        )
-    })
+    (!metric.is_empty() && !relative.is_empty())
+        .then(|| message!(MIXED, relative = relative, metric = metric))
 }
 
 /// The girths that any side has, in the order in which they are met; none where units are [`mixed`].

@@ -8,15 +8,15 @@
 //! ```
 
 mod cut;
-mod girths;
+pub(crate) mod girths;
 mod laid;
 mod page;
 mod pictures;
 pub(crate) mod render;
-mod side;
+pub(crate) mod side;
 mod surfaces;
 mod views;
-mod words;
+pub(crate) mod words;
 
 pub use crate::girth_file::ReadGirth;
 pub use engine::differ::{Change, Difference, NodeRun, differ};

@@ -4,8 +4,11 @@ use super::Comparison;
 use super::pictures::{Surface, pictures};
 use super::surfaces::distances;
 use super::words::{
-    GIRTHS, LEGEND, Table, change_table, cost_table, girth_table, sentences, surface_table,
+    COST, GIRTHS, LEGEND, SETTINGS, SURFACES, change_table, cost_table, girth_table, sentences,
+    surface_table,
 };
+use crate::reader::English;
+use crate::table::Table;
 use engine::page;
 use serde_json::{Value, json};
 use shape::{Mesh, thinned};
@@ -44,7 +47,7 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
     };
     let pictures = pictures(&c.sides, unmoved, show_photos, FULL_MM);
     let mut body = format!("<h1>{}</h1>\n", page::escaped(&title));
-    for sentence in sentences(c) {
+    for sentence in sentences(c, &English) {
         body += &format!("<p>{}</p>\n", marked(&page::escaped(&sentence)));
     }
     if shown.len() > 1 {
@@ -57,12 +60,12 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
         body += IMAGES;
     }
     for (title, table) in [
-        (GIRTHS, girth_table(c)),
-        ("Surfaces, from the first", surface_table(c)),
-        ("Settings that differ", change_table(c)),
-        ("Time and size", cost_table(c)),
+        (GIRTHS, girth_table(c, &English)),
+        (SURFACES, surface_table(c, &English)),
+        (SETTINGS, change_table(c, &English)),
+        (COST, cost_table(c, &English)),
     ] {
-        body += &section(title, &table);
+        body += &section(title.english, &table);
     }
     let meshes: Vec<Value> = shown.iter().map(packed).collect();
     let data = json!({ "meshes": meshes, "pictures": pictures });
@@ -83,8 +86,8 @@ fn section(title: &str, table: &Table) -> String {
         return String::new();
     }
     let html = page::table("", &table[0], &table[1..]);
-    let legend = match title == GIRTHS {
-        true => format!("<p class=\"soft\">{LEGEND}</p>"),
+    let legend = match title == GIRTHS.english {
+        true => format!("<p class=\"soft\">{}</p>", LEGEND.english),
         false => String::new(),
     };
     format!("<section><h2>{title}</h2>{html}{legend}</section>\n")

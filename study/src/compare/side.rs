@@ -8,8 +8,8 @@ use engine::store::Store;
 use io::girths_to_json;
 use serde_json::Value;
 use shape::{Cameras, Girths, Masks, Mesh, Photos, Unit, mesh_from_ply};
-use stage::{AnyArtifact, Hash};
-use std::path::{Path, PathBuf};
+use stage::{AnyArtifact, Hash, Message};
+use std::path::Path;
 
 /// What is compared.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,23 +28,23 @@ pub struct Side {
     pub views: Views,
 }
 
-/// Something that cannot be compared.
-#[derive(Debug, thiserror::Error)]
-pub enum SideError {
-    /// Not what it should be.
-    #[error("{}: {why}", path.display())]
-    File {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        why: String,
-    },
-    /// A result that is not in the cache any more.
-    #[error("the {0} of {1} went out of the cache: run it again")]
-    Gone(&'static str, String),
-    /// No run record.
-    #[error("{0} is no record of a run")]
-    Record(String),
+stage::failures! {
+    /// Something that cannot be compared.
+    pub enum SideError {
+        /// Not what it should be.
+        File {
+            /// The file.
+            path: String,
+            /// What is wrong.
+            why: Message,
+        } = "fail-side-file": "{path}: {why}",
+        /// A result that is not in the cache any more.
+        Gone(what: &'static str, name: String) = "fail-side-gone": "the {what} of {name} went out of the cache: run it again",
+        /// No run record.
+        Record(name: String) = "fail-side-record": "{name} is no record of a run",
+        /// A folder of something else.
+        Folder(path: String) = "cli-side-folder": "{path}: is not there: give a folder that `tailor measure` wrote",
+    }
 }
 
 fn nodes(name: &str, run: &Value) -> Result<Vec<NodeRun>, SideError> {
@@ -67,13 +67,8 @@ impl Side {
                 Err(e) => Err(wrong(folder, file, e)),
             }
         };
-        let run = read("run.json")?.ok_or_else(|| {
-            wrong(
-                folder,
-                "run.json",
-                "is not there: give a folder that `tailor measure` wrote",
-            )
-        })?;
+        let run = read("run.json")?
+            .ok_or_else(|| SideError::Folder(folder.join("run.json").display().to_string()))?;
         let run: Value = serde_json::from_slice(&run).map_err(|e| wrong(folder, "run.json", e))?;
         let girths = match read("girths.json")? {
             Some(bytes) => Some(
@@ -186,7 +181,7 @@ impl Side {
 
 fn wrong(folder: &Path, file: &str, why: impl ToString) -> SideError {
     SideError::File {
-        path: folder.join(file),
-        why: why.to_string(),
+        path: folder.join(file).display().to_string(),
+        why: why.to_string().into(),
     }
 }

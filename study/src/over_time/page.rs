@@ -19,7 +19,7 @@ pub fn page(followed: &Followed, series: &Series) -> (String, Vec<(String, Vec<u
     for warning in &followed.warnings {
         body += &format!("<p><strong>{}.</strong></p>\n", page::escaped(warning));
     }
-    let table = |title: &str, table: &super::words::Table, legend: &str| {
+    let table = |title: &str, table: &crate::table::Table, legend: &str| {
         let html = page::table("", &table[0], &table[1..]);
         format!(
             "<section><h2>{title}</h2>{html}<p class=\"soft\">{}</p></section>\n",

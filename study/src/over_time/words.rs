@@ -1,13 +1,11 @@
 //! A person over time as Markdown, CSV and JSON.
 
 use super::change::{Change, Followed};
+use crate::table::{self, Table};
 use follow::PARTS;
 use serde_json::{Value, json};
 use shape::Part;
 use std::fmt::Write;
-
-/// A table as rows of texts, its head first.
-pub(super) type Table = Vec<Vec<String>>;
 
 /// What the words of the tables mean.
 pub(super) const LEGEND: &str = "Tapes are at the level of the first capture, carried to the other captures by laying the first body on each. ± contains the true change nine times in ten. \
@@ -111,24 +109,13 @@ pub(super) fn volume_table(followed: &Followed) -> Table {
     table
 }
 
-fn rows(table: &Table) -> String {
-    let line = |row: &Vec<String>| {
-        let cells: Vec<String> = row.iter().map(|c| c.replace('|', "\\|")).collect();
-        format!("| {} |\n", cells.join(" | "))
-    };
-    let mut text = line(&table[0]);
-    let _ = writeln!(text, "|{}", "---|".repeat(table[0].len()));
-    table.iter().skip(1).for_each(|row| text += &line(row));
-    text
-}
-
 /// All of it, as Markdown.
 pub fn markdown(followed: &Followed) -> String {
     let mut text = format!(
         "# {}\n\n{}\n{LEGEND}\n\n{}",
         followed.person,
-        rows(&girth_table(followed)),
-        rows(&volume_table(followed))
+        table::markdown(&girth_table(followed)),
+        table::markdown(&volume_table(followed))
     );
     if followed.by_captures {
         let _ = write!(text, "\n{BY_CAPTURES}\n");

@@ -2,11 +2,9 @@
 
 use super::known::KNOWN;
 use super::study::{GirthStudy, Study};
+use crate::table::{self, Table};
 use serde_json::{Value, json};
 use std::fmt::Write;
-
-/// A table as rows of texts, its head first.
-pub(super) type Table = Vec<Vec<String>>;
 
 /// What the words of the head mean.
 pub(super) const LEGEND: &str = "TEM: technical error of measurement, one standard deviation of a measurement about the person's mean, with its 95 % interval; \
@@ -76,28 +74,24 @@ pub(super) fn people(study: &Study) -> Vec<String> {
     study.people.iter().map(line).collect()
 }
 
-fn rows(table: &Table) -> String {
-    let line = |row: &Vec<String>| format!("| {} |\n", row.join(" | ").replace('\n', " "));
-    let mut text = line(&table[0]);
-    let _ = writeln!(text, "|{}", "---|".repeat(table[0].len()));
-    table.iter().skip(1).for_each(|row| text += &line(row));
-    text
-}
-
 /// All of it, as Markdown.
 pub fn markdown(study: &Study) -> String {
     let mut text = String::from("# Repeatability\n\n");
     people(study)
         .iter()
         .for_each(|p| text += &format!("- {p}\n"));
-    let _ = write!(text, "\n{}\n{LEGEND}\n", rows(&girth_table(study)));
+    let _ = write!(
+        text,
+        "\n{}\n{LEGEND}\n",
+        table::markdown(&girth_table(study))
+    );
     for warning in &study.warnings {
         let _ = write!(text, "\nWarning: {warning}.\n");
     }
     let _ = write!(
         text,
         "\n## What other studies report\n\n{}",
-        rows(&known_table())
+        table::markdown(&known_table())
     );
     text
 }

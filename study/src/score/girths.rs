@@ -4,6 +4,7 @@ use crate::score::truth::{True, Unreadable, error, json};
 use serde::Serialize;
 use serde_json::Value;
 use shape::{GirthId, Region};
+use stage::message;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -48,9 +49,10 @@ pub fn iso_mm(name: &str, part: Option<&str>) -> f64 {
 /// A file's unit as it calls it; results without a scale cannot be compared with centimetres.
 pub const RELATIVE: &str = "relative";
 
-/// Why such results are not scored.
-pub(crate) const NO_SCALE: &str = "its lengths are relative, for nothing of known length was given or known lengths contradict each other: they cannot be compared with centimetres; \
-     give one when measuring, such as --stature, and score that";
+stage::messages! {
+    /// Why such results are not scored.
+    NO_SCALE = "score-no-scale": "its lengths are relative, for nothing of known length was given or known lengths contradict each other: they cannot be compared with centimetres; give one when measuring, such as --stature, and score that";
+}
 
 /// The girths of a `girths.json` against the true ones.
 pub(crate) fn girths(
@@ -59,7 +61,7 @@ pub(crate) fn girths(
 ) -> Result<BTreeMap<String, Option<GirthScore>>, Unreadable> {
     let file = json(path)?.unwrap_or(Value::Null);
     if file.get("unit").is_some_and(|unit| unit == RELATIVE) {
-        return Err(error(path, NO_SCALE));
+        return Err(error(path, message!(NO_SCALE)));
     }
     let list = file
         .get("girths")

@@ -2,22 +2,25 @@
 
 mod align;
 mod at_plane;
-mod girths;
+pub(crate) mod girths;
+pub(crate) mod paper;
 mod surface;
-mod table;
-mod truth;
+pub(crate) mod table;
+pub(crate) mod truth;
 
 pub use at_plane::PlaneScore;
 pub use girths::GirthScore;
 use girths::NO_SCALE;
 pub use girths::{RELATIVE, iso_mm};
+pub use paper::{iso_table, paper_tables};
 pub use surface::{Part, Surface};
-pub use table::{iso_table, paper_tables, text};
+pub use table::text;
 pub use truth::Unreadable;
 pub use truth::true_tapes;
 
 use align::{Motion, align};
 use serde::Serialize;
+use stage::message;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -105,7 +108,7 @@ fn cameras(result: &Path, truth: &Path) -> Result<(Option<CameraScore>, Motion),
     let file = result.join("cameras.json");
     let got = truth::cameras(&file, 1.0)?;
     if truth::json(&file)?.is_some_and(|file| file["unit"] == RELATIVE) {
-        return Err(truth::error(&file, NO_SCALE));
+        return Err(truth::error(&file, message!(NO_SCALE)));
     }
     if want.is_empty() || got.is_empty() {
         return Ok((None, Motion::none()));

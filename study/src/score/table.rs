@@ -1,292 +1,139 @@
-//! Scores as text: one result, and the paper's Tables I and II with ours beside.
+//! One result as text.
 
-use crate::score::{Part, Score};
-use shape::GirthId;
+use crate::reader::{Reader, number, signed, words};
+use crate::score::Score;
+use stage::{Message, message};
 use std::fmt::Write;
 
-fn or_dash(value: Option<f64>, digits: usize) -> String {
-    value.map_or("–".into(), |x| format!("{x:+.digits$}"))
+stage::messages! {
+    ALL = "score-all": "all";
+    AT_PLANE = "score-at-plane": "tape at the measured plane   truth there cm  tape cm  surface %  surface mm";
+    CAMERAS = "score-cameras": "cameras   {found} of {of}; scale {scale} %; centres {median} mm median, {worst} mm worst; rotation {rotation} °; focal {focal} %";
+    FAIL = "score-fail": "FAIL (±{mm} mm)";
+    GIRTHS = "score-girths": "girth      truth cm      cm   error %   tape %  tape mm = surface + level  ISO 20685-1";
+    MASKS = "score-masks": "masks     {count} compared; intersection over union {mean} mean, {worst} worst";
+    NOTHING = "score-nothing": "nothing to compare: neither cameras, masks, a surface nor girths are on both sides";
+    NOT_MEASURED = "score-not-measured": "not measured";
+    NO_SECTION = "score-no-section": "the true surface has no such section there: limb and trunk are one, or the plane misses it";
+    OPEN = "score-open": "surface   {faces} faces, NOT closed";
+    OUTSIDE = "score-outside": "outside its interval";
+    PART = "score-part": "{mean} mm mean, 90 % within {within} mm, bias {bias} mm; complete {at_2} % at 2 mm, {at_5} % at 5 mm";
+    PASS = "score-pass": "pass (±{mm} mm)";
+    SURFACE = "score-surface": "surface   {faces} faces, closed";
+    TRUNK = "score-trunk": "trunk";
+}
+
+/// A line of its own.
+pub(super) fn line(reader: &dyn Reader, message: &Message) -> String {
+    reader.message(message) + "\n"
 }
 
 /// One result, in plain lines.
-pub fn text(score: &Score) -> String {
+pub fn text(score: &Score, reader: &dyn Reader) -> String {
+    let plus = |value: Option<f64>, digits| signed(reader, value, digits);
+    let plain = |value: f64, digits| number(reader, Some(value), digits);
     let mut text = String::new();
     if let Some(c) = &score.cameras {
-        let _ = writeln!(
-            text,
-            "cameras   {} of {}; scale {} %; centres {} mm median, {} mm worst; rotation {} °; focal {} %",
-            c.registered,
-            c.of,
-            or_dash(c.scale_error_pct, 3),
-            or_dash(c.centre_mm_median, 2),
-            or_dash(c.centre_mm_max, 2),
-            or_dash(c.rotation_deg_median, 3),
-            or_dash(c.focal_error_pct, 3),
+        let cameras = message!(
+            CAMERAS,
+            found = c.registered,
+            of = c.of,
+            scale = plus(c.scale_error_pct, 3),
+            median = plus(c.centre_mm_median, 2),
+            worst = plus(c.centre_mm_max, 2),
+            rotation = plus(c.rotation_deg_median, 3),
+            focal = plus(c.focal_error_pct, 3)
         );
+        text += &line(reader, &cameras);
     }
     if let Some(m) = &score.masks {
-        let _ = writeln!(
-            text,
-            "masks     {} compared; intersection over union {:.4} mean, {:.4} worst",
-            m.count, m.iou_mean, m.iou_min
-        );
+        let (mean, worst) = (plain(m.iou_mean, 4), plain(m.iou_min, 4));
+        let masks = message!(MASKS, count = m.count, mean = mean, worst = worst);
+        text += &line(reader, &masks);
     }
     if let Some(m) = &score.mesh {
-        let closed = if m.closed { "closed" } else { "NOT closed" };
-        let _ = writeln!(text, "surface   {} faces, {closed}", m.faces);
-        let mut part = |name: &str, p: &Part| {
-            let _ = writeln!(
-                text,
-                "  {name:<7} {:.2} mm mean, 90 % within {:.2} mm, bias {:+.2} mm; complete {:.1} % at 2 mm, {:.1} % at 5 mm",
-                p.accuracy_mean_mm,
-                p.accuracy_90_mm,
-                p.bias_mm,
-                p.complete_2mm * 100.0,
-                p.complete_5mm * 100.0,
-            );
+        let surface = match m.closed {
+            true => message!(SURFACE, faces = m.faces),
+            false => message!(OPEN, faces = m.faces),
         };
-        part("all", &m.all);
-        if let Some(trunk) = &m.trunk {
-            part("trunk", trunk);
+        text += &line(reader, &surface);
+        let [all, trunk] = words(reader, [ALL, TRUNK]);
+        for (name, p) in [(all, Some(&m.all)), (trunk, m.trunk.as_ref())] {
+            let Some(p) = p else { continue };
+            let part = message!(
+                PART,
+                mean = plain(p.accuracy_mean_mm, 2),
+                within = plain(p.accuracy_90_mm, 2),
+                bias = plus(Some(p.bias_mm), 2),
+                at_2 = plain(p.complete_2mm * 100.0, 1),
+                at_5 = plain(p.complete_5mm * 100.0, 1)
+            );
+            text += &format!("  {name:<7} {}", line(reader, &part));
         }
     }
-    text += &girths(score);
-    text += &at_planes(score);
+    text += &girths(score, reader);
+    text += &at_planes(score, reader);
     if text.is_empty() {
-        text +=
-            "nothing to compare: neither cameras, masks, a surface nor girths are on both sides\n";
+        text = line(reader, &message!(NOTHING));
     }
     text
 }
 
 /// The girths beside their truth.
-fn girths(score: &Score) -> String {
-    let mut text = String::new();
-    if !score.girths.is_empty() {
+fn girths(score: &Score, reader: &dyn Reader) -> String {
+    if score.girths.is_empty() {
+        return String::new();
+    }
+    let mut text = line(reader, &message!(GIRTHS));
+    for (name, girth) in &score.girths {
+        let Some(g) = girth else {
+            text += &format!("{name:<8}  {}", line(reader, &message!(NOT_MEASURED)));
+            continue;
+        };
+        let iso = match g.within_iso() {
+            Some(true) => reader.message(&message!(PASS, mm = g.iso_mm)),
+            Some(false) => reader.message(&message!(FAIL, mm = g.iso_mm)),
+            None => "–".into(),
+        };
+        let outside = match g.interval_holds {
+            Some(false) => format!("  {}", reader.message(&message!(OUTSIDE))),
+            _ => String::new(),
+        };
+        let plus = |value: Option<f64>, digits| signed(reader, value, digits);
         let _ = writeln!(
             text,
-            "girth      truth cm      cm   error %   tape %  tape mm = surface + level  ISO 20685-1"
+            "{name:<8} {:>10} {:>7} {:>9} {:>8} {:>8} {:>9} {:>7}  {iso}{outside}",
+            number(reader, Some(g.truth_cm), 2),
+            number(reader, g.cm, 2),
+            plus(g.error_pct, 2),
+            plus(g.tape_error_pct, 2),
+            plus(g.tape_error_mm, 1),
+            plus(g.surface_mm, 1),
+            plus(g.level_mm, 1),
         );
-        for (name, girth) in &score.girths {
-            let Some(g) = girth else {
-                let _ = writeln!(text, "{name:<8}  not measured");
-                continue;
-            };
-            let iso = match g.within_iso() {
-                Some(true) => format!("pass (±{} mm)", g.iso_mm),
-                Some(false) => format!("FAIL (±{} mm)", g.iso_mm),
-                None => "–".into(),
-            };
-            let outside = if g.interval_holds == Some(false) {
-                "  outside its interval"
-            } else {
-                ""
-            };
-            let _ = writeln!(
-                text,
-                "{name:<8} {:>10.2} {:>7} {:>9} {:>8} {:>8} {:>9} {:>7}  {iso}{outside}",
-                g.truth_cm,
-                g.cm.map_or("–".into(), |cm| format!("{cm:.2}")),
-                or_dash(g.error_pct, 2),
-                or_dash(g.tape_error_pct, 2),
-                or_dash(g.tape_error_mm, 1),
-                or_dash(g.surface_mm, 1),
-                or_dash(g.level_mm, 1),
-            );
-        }
     }
     text
 }
 
 /// Tapes against the true surface at the planes that were measured: what the surface errs.
-fn at_planes(score: &Score) -> String {
+fn at_planes(score: &Score, reader: &dyn Reader) -> String {
     let mut text = String::new();
     if !score.girths_at_measured_planes.is_empty() {
-        text += "tape at the measured plane   truth there cm  tape cm  surface %  surface mm\n";
+        text = line(reader, &message!(AT_PLANE));
     }
     for (name, plane) in &score.girths_at_measured_planes {
+        let plain = |value: f64| number(reader, Some(value), 2);
         let _ = match plane {
             Some(t) => writeln!(
                 text,
-                "{name:<24} {:>14.2} {:>8.2} {:>+10.2} {:>+11.1}",
-                t.truth_there_cm, t.tape_cm, t.tape_pct, t.tape_mm
+                "{name:<24} {:>14} {:>8} {:>10} {:>11}",
+                plain(t.truth_there_cm),
+                plain(t.tape_cm),
+                signed(reader, Some(t.tape_pct), 2),
+                signed(reader, Some(t.tape_mm), 1)
             ),
-            None => writeln!(
-                text,
-                "{name:<24} the true surface has no such section there: limb and trunk are one, or the plane misses it"
-            ),
+            None => writeln!(text, "{name:<24} {}", reader.message(&message!(NO_SECTION))),
         };
     }
     text
-}
-
-/// What a row of the paper's tables is of.
-#[derive(Clone, Copy)]
-enum PaperRow {
-    Girth(GirthId),
-    WaistToHip,
-}
-
-impl PaperRow {
-    fn name(self) -> String {
-        match self {
-            PaperRow::Girth(id) => id.name(),
-            PaperRow::WaistToHip => "WHR".into(),
-        }
-    }
-}
-
-/// The paper's relative errors, mean ± spread: Table I (mannequin) and Table II (human).
-const PAPER: [(PaperRow, &str, &str); 6] = [
-    (
-        PaperRow::Girth(GirthId::Waist),
-        "+3.17 ± 2.95",
-        "-1.91 ± 2.99",
-    ),
-    (
-        PaperRow::Girth(GirthId::Hip),
-        "-0.95 ± 1.51",
-        "+1.42 ± 3.17",
-    ),
-    (PaperRow::WaistToHip, "+4.14 ± 1.14", "-3.26 ± 2.76"),
-    (
-        PaperRow::Girth(GirthId::Neck),
-        "+1.17 ± 4.75",
-        "+4.56 ± 3.04",
-    ),
-    (
-        PaperRow::Girth(GirthId::Chest),
-        "+4.57 ± 1.47",
-        "-3.24 ± 1.20",
-    ),
-    (PaperRow::Girth(GirthId::UpperArmMean), "–", "-4.31 ± 2.16"),
-];
-
-/// Relative errors over repeated runs, mean ± spread, beside those of the paper.
-pub fn paper_tables(scores: &[Score]) -> String {
-    let mut text =
-        String::from("relative error %   ours            paper, Table I   paper, Table II\n");
-    for (row, first, second) in PAPER {
-        let errors: Vec<f64> = scores.iter().filter_map(|s| error_pct(s, row)).collect();
-        let (name, ours) = (row.name(), spread(&errors));
-        let _ = writeln!(text, "{name:<18} {ours:<15} {first:<16} {second}");
-    }
-    text
-}
-
-/// Tapes over repeated runs: mean ± spread of their error, how often within the limit of ISO
-/// 20685-1, and how often the interval holds the truth.
-pub fn iso_table(scores: &[Score]) -> String {
-    let mut text = String::from(
-        "tape      error %         error mm        ISO 20685-1           interval holds the truth\n",
-    );
-    let names: std::collections::BTreeSet<&String> =
-        scores.iter().flat_map(|s| s.girths.keys()).collect();
-    for name in names {
-        let all: Vec<_> = scores
-            .iter()
-            .filter_map(|s| s.girths.get(name)?.as_ref())
-            .filter(|g| g.tape_error_mm.is_some())
-            .collect();
-        let Some(limit) = all.first().map(|g| g.iso_mm) else {
-            continue;
-        };
-        let of = |value: fn(&crate::score::GirthScore) -> Option<f64>| {
-            spread(&all.iter().filter_map(|g| value(g)).collect::<Vec<_>>())
-        };
-        let count = |holds: fn(&crate::score::GirthScore) -> Option<bool>| {
-            all.iter().filter(|g| holds(g) == Some(true)).count()
-        };
-        let n = all.len();
-        let within = count(|g| g.within_iso());
-        let verdict = match within == n {
-            true => "pass",
-            false => "FAIL",
-        };
-        let _ = writeln!(
-            text,
-            "{name:<9} {:<15} {:<15} {:<21} {} of {n}",
-            of(|g| g.tape_error_pct),
-            of(|g| g.tape_error_mm),
-            format!("{verdict}: {within} of {n} in {limit} mm"),
-            count(|g| g.interval_holds),
-        );
-    }
-    text
-}
-
-/// Mean ± spread of repeated errors; one alone is itself.
-fn spread(errors: &[f64]) -> String {
-    match errors {
-        [] => "–".into(),
-        [one] => format!("{one:+.2}"),
-        many => {
-            let n = many.len() as f64;
-            let mean = many.iter().sum::<f64>() / n;
-            let square = many.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / (n - 1.0);
-            format!("{mean:+.2} ± {:.2}", square.sqrt())
-        }
-    }
-}
-
-/// The relative error of a girth's contour, or of the ratio of waist to hip.
-fn error_pct(score: &Score, row: PaperRow) -> Option<f64> {
-    let girth = |id: GirthId| score.girths.get(&id.name())?.as_ref();
-    match row {
-        PaperRow::Girth(id) => girth(id)?.error_pct,
-        PaperRow::WaistToHip => {
-            let (w, h) = (girth(GirthId::Waist)?, girth(GirthId::Hip)?);
-            Some((w.cm? / h.cm? / (w.truth_cm / h.truth_cm) - 1.0) * 100.0)
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::score::GirthScore;
-
-    fn run(tape_mm: f64, cm: f64) -> Score {
-        let girth = GirthScore {
-            truth_cm: 100.0,
-            cm: Some(cm),
-            error_pct: Some(cm - 100.0),
-            tape_error_pct: Some(tape_mm / 10.0),
-            tape_error_mm: Some(tape_mm),
-            interval_holds: Some(tape_mm.abs() < 8.0),
-            iso_mm: 9.0,
-            surface_mm: None,
-            level_mm: None,
-        };
-        Score {
-            cameras: None,
-            masks: None,
-            mesh: None,
-            girths: [("WC".to_owned(), Some(girth)), ("NC".to_owned(), None)].into(),
-            girths_at_measured_planes: Default::default(),
-        }
-    }
-
-    #[test]
-    fn repeated_runs_give_mean_and_spread_beside_the_papers() {
-        let runs = [run(1.0, 101.0), run(-3.0, 99.0), run(11.0, 103.0)];
-        let table = paper_tables(&runs);
-        let waist = table.lines().find(|l| l.starts_with("WC")).unwrap();
-        assert!(
-            waist.contains("+1.00 ± 2.00") && waist.contains("+3.17 ± 2.95"),
-            "{waist}"
-        );
-        let neck = table.lines().find(|l| l.starts_with("NC")).unwrap();
-        assert!(
-            neck.contains('–') && neck.contains("+1.17 ± 4.75"),
-            "{neck}"
-        );
-        let table = iso_table(&runs);
-        let waist = table.lines().find(|l| l.starts_with("WC")).unwrap();
-        assert!(waist.contains("+3.00 ± 7.21"), "{waist}");
-        assert!(waist.contains("FAIL: 2 of 3 in 9 mm"), "{waist}");
-        assert!(waist.ends_with("2 of 3"), "{waist}");
-        assert!(!table.contains("NC"), "what no run measured has no row");
-        assert!(iso_table(&runs[..1]).contains("pass: 1 of 1"));
-    }
 }

@@ -3,15 +3,21 @@
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use serde_json::Value;
 use shape::{GirthId, Mesh, mesh_from_ply};
+use stage::{Message, message};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A file that does not have what it should.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: {why}", path.display())]
-pub struct Unreadable {
-    path: PathBuf,
-    why: String,
+stage::messages! {
+    NOT_NUMBERS = "score-not-numbers": "`{key}` of {name} is not {count} numbers";
+    NO_VIEWS = "score-no-views": "it has no list `views`";
+}
+
+stage::failures! {
+    /// A file that does not have what it should.
+    pub enum Unreadable {
+        /// Which, and why.
+        File(path: String, why: Message) = "fail-score-file": "{path}: {why}",
+    }
 }
 
 /// A camera: focal length, rotation and centre of camera_from_world. \[px, mm\]
@@ -28,11 +34,13 @@ pub(crate) struct True {
     pub(crate) plane: Option<(Point3<f64>, Vector3<f64>)>,
 }
 
-pub(crate) fn error(path: &Path, why: impl ToString) -> Unreadable {
-    Unreadable {
-        path: path.into(),
-        why: why.to_string(),
-    }
+pub(crate) fn error(path: &Path, why: impl Into<Message>) -> Unreadable {
+    Unreadable::File(path.display().to_string(), why.into())
+}
+
+/// Words of the system, or of a format's reader.
+fn foreign(path: &Path, why: impl ToString) -> Unreadable {
+    error(path, why.to_string())
 }
 
 /// A JSON file, if it is there.
@@ -40,10 +48,10 @@ pub(crate) fn json(path: &Path) -> Result<Option<Value>, Unreadable> {
     if !path.exists() {
         return Ok(None);
     }
-    let text = std::fs::read_to_string(path).map_err(|e| error(path, e))?;
+    let text = std::fs::read_to_string(path).map_err(|e| foreign(path, e))?;
     serde_json::from_str(&text)
         .map(Some)
-        .map_err(|e| error(path, e))
+        .map_err(|e| foreign(path, e))
 }
 
 /// Numbers of a (nested) list.
@@ -63,7 +71,7 @@ pub(crate) fn cameras(path: &Path, unit: f64) -> Result<BTreeMap<String, Seen>, 
         .get("views")
         .or(file.get("cameras"))
         .and_then(Value::as_array);
-    let views = views.ok_or_else(|| error(path, "it has no list `views`"))?;
+    let views = views.ok_or_else(|| error(path, message!(NO_VIEWS)))?;
     let mut seen = BTreeMap::new();
     for view in views {
         let name = view
@@ -73,7 +81,12 @@ pub(crate) fn cameras(path: &Path, unit: f64) -> Result<BTreeMap<String, Seen>, 
             .unwrap_or("");
         let get = |key: &str, count: usize| {
             let found = numbers(view.get(key).unwrap_or(&Value::Null));
-            let why = || error(path, format!("`{key}` of {name} is not {count} numbers"));
+            let why = || {
+                error(
+                    path,
+                    message!(NOT_NUMBERS, key = key, name = name, count = count),
+                )
+            };
             if found.len() == count {
                 Ok(found)
             } else {
@@ -147,8 +160,8 @@ pub(crate) fn mesh(path: &Path, unit: f32) -> Result<Option<Mesh>, Unreadable> {
     if !path.exists() {
         return Ok(None);
     }
-    let bytes = std::fs::read(path).map_err(|e| error(path, e))?;
-    let mut mesh = mesh_from_ply(&bytes).map_err(|e| error(path, e))?;
+    let bytes = std::fs::read(path).map_err(|e| foreign(path, e))?;
+    let mut mesh = mesh_from_ply(&bytes).map_err(|e| foreign(path, e))?;
     mesh.positions
         .iter_mut()
         .for_each(|p| *p = p.map(|x| x * unit));
@@ -162,7 +175,7 @@ pub(crate) fn masks(folder: &Path) -> Result<BTreeMap<String, PathBuf>, Unreadab
     };
     let mut found = BTreeMap::new();
     for entry in entries {
-        let path = entry.map_err(|e| error(folder, e))?.path();
+        let path = entry.map_err(|e| foreign(folder, e))?.path();
         if path.extension().is_some_and(|e| e == "png")
             && let Some(stem) = path.file_stem().and_then(|s| s.to_str())
         {
@@ -174,6 +187,6 @@ pub(crate) fn masks(folder: &Path) -> Result<BTreeMap<String, PathBuf>, Unreadab
 
 /// One mask: width, height, coverage.
 pub(crate) fn mask(path: &Path) -> Result<shape::Mask, Unreadable> {
-    let bytes = std::fs::read(path).map_err(|e| error(path, e))?;
-    shape::gray_from_file(&bytes).map_err(|e| error(path, e))
+    let bytes = std::fs::read(path).map_err(|e| foreign(path, e))?;
+    shape::gray_from_file(&bytes).map_err(|e| foreign(path, e))
 }

@@ -117,7 +117,7 @@ pub(crate) fn taken_names(declared: &BTreeMap<String, OwnGirth>) -> Vec<Mistake>
         };
         mistakes.push(Mistake {
             name: format!("girth.{name}"),
-            what: format!("{why}; choose another name"),
+            what: format!("{why}; choose another name").into(),
         });
     }
     mistakes
