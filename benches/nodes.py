@@ -46,8 +46,13 @@ def run(program, capture):
 
 
 def by_node(events):
-    """Seconds of the processor by node, from a trace. A first answer is beside all nodes."""
+    """Seconds of the processor by node, from a trace; earlier programs have them as a curve alone."""
     spans = [e for e in events if e["ph"] == "X" and e["name"] == e["cat"]]
+    if all("args" in e for e in spans):
+        nodes = {}
+        for e in spans:
+            nodes[e["name"]] = nodes.get(e["name"], 0.0) + (e["args"]["processor_s"] or 0.0)
+        return nodes
     spans = [(e["name"], e["ts"], e["ts"] + e["dur"]) for e in spans]
     busy = [e for e in events if e["ph"] == "C" and e["name"] == "threads busy"]
     busy = [(e["ts"], e["args"]["value"]) for e in busy]

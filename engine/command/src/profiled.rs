@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::text::{lines, short, table, to_the_right};
 use engine::private_file;
-use engine::profile::{Cost, Profile, Profiler, costs, trace};
+use engine::profile::{Cost, Profile, Profiler};
 use engine::walk::Watch;
 use std::fs::File;
 use std::io::Write;
@@ -24,7 +24,8 @@ pub(super) fn profiled<T>(
     let why = |e: std::io::Error| Fault::input(format!("{}: {e}", path.display()));
     let file = file.map_err(why)?;
     let profiler = Profiler::new(watch);
-    let (made, profile) = profiler.around(|| run(&profiler));
+    let made = run(&profiler);
+    let profile = profiler.profile();
     written(file, &profile).map_err(why)?;
     if !global.quiet && !global.json {
         crate::errln!("{}", shown(&profile, path));
@@ -33,12 +34,12 @@ pub(super) fn profiled<T>(
 }
 
 fn written(mut file: File, profile: &Profile) -> std::io::Result<()> {
-    file.write_all(trace(profile).to_string().as_bytes())
+    file.write_all(profile.trace().to_string().as_bytes())
 }
 
 /// What is shown: a line for each node, and under it its loops.
 fn shown(profile: &Profile, path: &Path) -> String {
-    let costs = costs(profile);
+    let costs = profile.costs();
     if costs.is_empty() {
         return format!(
             "nothing ran: all results were found; {} holds an empty trace",
@@ -60,17 +61,17 @@ fn shown(profile: &Profile, path: &Path) -> String {
             None => c.node.clone(),
         };
         let or = |x: Option<f64>| x.map_or("-".to_owned(), short);
-        let busy = c
-            .processor
+        let processor = c.spent.processor;
+        let busy = processor
             .map(|p| p / c.seconds)
             .filter(|_| c.seconds >= 0.1);
         let tenth = |x: f64| (x * 10.0).round() / 10.0;
         [
             name,
             short(tenth(c.seconds)),
-            or(c.processor.map(tenth)),
+            or(processor.map(tenth)),
             or(busy.map(|b| (b * 100.0).round() / 100.0)),
-            or(c.resident.map(|bytes| (bytes as f64 / 1e6).round())),
+            or(c.spent.memory.map(|bytes| (bytes as f64 / 1e6).round())),
         ]
     };
     for node in costs.iter().filter(|c| c.label.is_none()) {
@@ -83,12 +84,8 @@ fn shown(profile: &Profile, path: &Path) -> String {
             all.add_row(row(one));
         }
     }
-    let unknown = match profile.is_blind() {
-        true => "; this system does not report a process's threads and memory",
-        false => "",
-    };
     format!(
-        "\n{}\n\ntrace: {} (open it in ui.perfetto.dev or about:tracing){unknown}",
+        "\n{}\n\ntrace: {} (open it in ui.perfetto.dev or about:tracing)",
         lines(&mut all),
         path.display()
     )

@@ -1,14 +1,12 @@
-//! Where a run's time and memory go: what each node and each loop in it took of the clock, of the processor, and of
-//! memory, as a table and as a trace that Perfetto and Chrome's `about:tracing` show.
+//! Where a run's time and memory go: what each node took of the clock, of the processor and of memory, and each loop in it
+//! of the clock, as a table and as a trace that Perfetto and Chrome's `about:tracing` show.
 //!
-//! Arrows: `sample`, `spans` ← `profiler` ← `cost` ← `trace`.
+//! Arrows: `spans` ← `cost`, `trace` ← `profiler`.
 
 mod cost;
 mod profiler;
-mod sample;
 mod spans;
 mod trace;
 
-pub use cost::{Cost, costs};
+pub use cost::Cost;
 pub use profiler::{Profile, Profiler};
-pub use trace::trace;

@@ -1,8 +1,10 @@
-//! Listens to a run and looks at the process meanwhile.
+//! Listens to a run.
 
-use super::sample::{Sample, Sampler};
+use super::cost::{Cost, costs};
 use super::spans::{Span, Spans};
+use super::trace::trace;
 use crate::done::{Done, Watch};
+use serde_json::Value;
 use stage::Hash;
 use std::sync::Mutex;
 use std::time::Instant;
@@ -14,18 +16,18 @@ pub struct Profiler<'a> {
     spans: Mutex<Spans>,
 }
 
-/// What was noted of a run.
-pub struct Profile {
-    /// Nodes and loops, in the order in which they began.
-    pub(crate) spans: Vec<Span>,
-    /// The process every few milliseconds; empty where the system does not report it.
-    pub(crate) samples: Vec<Sample>,
-}
+/// What was noted of a run: nodes and loops, in the order in which they began.
+pub struct Profile(Vec<Span>);
 
 impl Profile {
-    /// Whether nothing of the process is known.
-    pub fn is_blind(&self) -> bool {
-        self.samples.is_empty()
+    /// What nodes and loops took; a loop that ran several times is one.
+    pub fn costs(&self) -> Vec<Cost> {
+        costs(&self.0)
+    }
+
+    /// As a trace.
+    pub fn trace(&self) -> Value {
+        trace(&self.0)
     }
 }
 
@@ -39,13 +41,11 @@ impl<'a> Profiler<'a> {
         }
     }
 
-    /// Runs it, and looks at the process meanwhile.
-    pub fn around<T>(&self, run: impl FnOnce() -> T) -> (T, Profile) {
-        let (made, samples) = Sampler::around(self.start, run);
+    /// What was noted, once the run is over.
+    pub fn profile(self) -> Profile {
         let end = self.now();
-        let mut spans = self.spans.lock().expect("bug: poisoned");
-        let spans = std::mem::take(&mut *spans).ended(end);
-        (made, Profile { spans, samples })
+        let spans = self.spans.into_inner().expect("bug: poisoned");
+        Profile(spans.ended(end))
     }
 
     fn now(&self) -> f64 {
@@ -74,7 +74,7 @@ impl Watch for Profiler<'_> {
         self.listener.differs(node, theirs, ours);
     }
     fn done(&self, node: &str, done: &Done) {
-        self.note(|spans, now| spans.end(node, now));
+        self.note(|spans, now| spans.end(node, done.spent, now));
         self.listener.done(node, done);
     }
 }

@@ -1,5 +1,7 @@
 //! When nodes and the loops in them began and ended.
 
+use crate::meter::Spent;
+
 /// A node, or a loop in it, from begin to end.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Span {
@@ -11,6 +13,8 @@ pub(crate) struct Span {
     pub(crate) from: f64,
     /// Since the run began. \[s\]
     pub(crate) to: f64,
+    /// What the node took; of a loop nothing is known.
+    pub(crate) spent: Spent,
 }
 
 /// Those that are over, and those that are not.
@@ -28,6 +32,7 @@ impl Spans {
             label: label.map(str::to_owned),
             from: now,
             to: now,
+            spent: Spent::default(),
         });
     }
 
@@ -54,13 +59,16 @@ impl Spans {
         }
     }
 
-    /// A node is over, and what is left of its loops.
-    pub(crate) fn end(&mut self, node: &str, now: f64) {
+    /// A node is over, which took so much, and what is left of its loops.
+    pub(crate) fn end(&mut self, node: &str, spent: Spent, now: f64) {
         let spans = &mut self.spans;
         self.open.retain(|i| {
             let ends = spans[*i].node == node;
             if ends {
                 spans[*i].to = now;
+                if spans[*i].label.is_none() {
+                    spans[*i].spent = spent;
+                }
             }
             !ends
         });
@@ -90,7 +98,7 @@ mod tests {
         spans.progress("a", "none", (0, 0), 2.75);
         spans.progress("a", "rounds", (0, 9), 3.0);
         spans.begin("b", None, 3.5);
-        spans.end("a", 4.0);
+        spans.end("a", Spent::default(), 4.0);
         let all = spans.ended(5.0);
         let reported: Vec<_> = all
             .iter()

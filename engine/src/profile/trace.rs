@@ -1,41 +1,21 @@
 //! A profile as a trace: "Trace Event Format", which Perfetto and Chrome's `about:tracing` show.
 
-use super::cost::{busy, shares};
-use super::profiler::Profile;
 use super::spans::Span;
 use serde_json::{Value, json};
 
-/// Nodes and loops as slices, threads that were busy and memory as curves. Times are microseconds.
-pub fn trace(profile: &Profile) -> Value {
+/// Nodes and loops as slices, nodes with what they took of the processor and of memory. Times are microseconds.
+pub(super) fn trace(spans: &[Span]) -> Value {
     let us = |t: f64| (t * 1e6).round();
-    let mut events: Vec<Value> = Vec::new();
-    let lanes = lanes(&profile.spans);
-    for (span, lane) in profile.spans.iter().zip(&lanes) {
+    let event = |(span, lane): (&Span, usize)| {
         let name = span.label.as_ref().unwrap_or(&span.node);
-        events.push(json!({
+        let memory = span.spent.memory.map(|bytes| bytes as f64 / 1e6);
+        json!({
             "ph": "X", "pid": 1, "tid": lane, "name": name, "cat": span.node,
             "ts": us(span.from), "dur": us(span.to - span.from),
-        }));
-    }
-    let mut curve = |t: f64, name: &str, value: f64| {
-        let value = (value * 1000.0).round() / 1000.0;
-        events.push(
-            json!({ "ph": "C", "pid": 1, "name": name, "ts": us(t), "args": { "value": value } }),
-        );
+            "args": { "processor_s": span.spent.processor, "memory_mb": memory },
+        })
     };
-    for ((from, _, threads), pair) in busy(&profile.samples)
-        .iter()
-        .zip(profile.samples.windows(2))
-    {
-        curve(*from, "threads busy", *threads);
-        curve(*from, "memory [MB]", pair[0].resident as f64 / 1e6);
-        let dt = (pair[1].t - pair[0].t).max(1e-9);
-        for (id, seconds) in shares(&pair[0], &pair[1]) {
-            if seconds > 0.0 || pair[0].threads.iter().any(|(known, _)| *known == id) {
-                curve(*from, &format!("thread {id}"), seconds / dt);
-            }
-        }
-    }
+    let events: Vec<Value> = spans.iter().zip(lanes(spans)).map(event).collect();
     json!({ "displayTimeUnit": "ms", "traceEvents": events })
 }
 
@@ -67,8 +47,8 @@ fn lanes(spans: &[Span]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::Sample;
     use super::*;
+    use crate::meter::Spent;
 
     #[test]
     fn nodes_that_run_at_once_are_side_by_side() {
@@ -77,6 +57,10 @@ mod tests {
             label: label.map(str::to_owned),
             from,
             to,
+            spent: Spent {
+                processor: label.is_none().then_some(3.0),
+                memory: None,
+            },
         };
         let spans = vec![
             span("a", None, 0.0, 2.0),
@@ -85,18 +69,10 @@ mod tests {
             span("c", None, 2.0, 4.0),
         ];
         assert_eq!(lanes(&spans), [0, 1, 0, 0]);
-        let sample = |t: f64| Sample {
-            t,
-            threads: vec![(7, t)],
-            resident: 5_000_000,
-        };
-        let samples = vec![sample(0.0), sample(0.5)];
-        let reported = trace(&Profile { spans, samples });
+        let reported = trace(&spans);
         let events = reported["traceEvents"].as_array().unwrap();
-        let kind = |ph: &str| events.iter().filter(|e| e["ph"] == ph).count();
-        assert_eq!((kind("X"), kind("C")), (4, 3));
-        assert_eq!(events[0]["dur"], 2e6);
-        let busy = events.iter().find(|e| e["name"] == "threads busy").unwrap();
-        assert_eq!(busy["args"]["value"], 1.0);
+        assert_eq!((events.len(), &events[0]["dur"]), (4, &json!(2e6)));
+        assert_eq!(events[0]["args"]["processor_s"], 3.0);
+        assert_eq!(events[2]["args"]["processor_s"], Value::Null);
     }
 }

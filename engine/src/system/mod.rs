@@ -83,23 +83,6 @@ pub(crate) fn free_memory() -> Option<u64> {
     [machine, group].into_iter().flatten().min()
 }
 
-/// What each thread of this process had of the processor, by its number, which grows; none if the system does
-/// not report it. \[s\]
-pub(crate) fn thread_times() -> Option<Vec<(u64, f64)>> {
-    let folder = std::fs::read_dir("/proc/self/task").ok()?;
-    let one = |entry: std::fs::DirEntry| {
-        let id = entry.file_name().to_str()?.parse().ok()?;
-        // The first number: nanoseconds on a processor.
-        let text = std::fs::read_to_string(entry.path().join("schedstat")).ok()?;
-        let ns: u64 = text.split_whitespace().next()?.parse().ok()?;
-        Some((id, ns as f64 / 1e9))
-    };
-    let mut times: Vec<(u64, f64)> = folder.flatten().filter_map(one).collect();
-    times.sort_by_key(|(id, _)| *id);
-    // A system that does not keep them writes noughts.
-    times.iter().any(|(_, s)| *s > 0.0).then_some(times)
-}
-
 /// What this process and those that it waited for had of the processor; none if the system gives no such number. \[s\]
 pub(crate) fn processor_seconds() -> Option<f64> {
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
