@@ -10,7 +10,7 @@ use proof::Dice;
 use stage::{AnyArtifact, AnyStage, Ctx, FileEntry, Files, Hash, Host};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use tailor::store::{Store, keeper};
+use tailor::store::{Store, retention};
 
 /// The files of a folder of the corpus, by their names.
 fn corpus(folder: &str) -> Vec<(String, Vec<u8>)> {
@@ -204,7 +204,7 @@ fn cameras_and_masks_of_other_programs() {
 }
 
 /// All results, the last few runs.
-const FEW: keeper::Budget = keeper::Budget {
+const FEW: retention::Budget = retention::Budget {
     most: u64::MAX,
     keep_runs: 1,
     keep_records: 2,
@@ -260,7 +260,7 @@ fn files_of_a_store() {
             // Each round leaves the record of a run, and the next ones read them all.
             rounds.set(rounds.get() + 1);
             if rounds.get() % 50 == 0 {
-                keeper::gc(&store, &FEW, false).unwrap();
+                retention::gc(&store, &FEW, false).unwrap();
             }
             let _ = (store.found(key), store.record(key), store.recall(key));
             drop(store);

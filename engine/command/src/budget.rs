@@ -4,7 +4,7 @@ use super::program::GlobalArgs;
 use super::size::mib;
 use super::text::count;
 use engine::past;
-use engine::store::keeper::{self, Budget, KEPT_RECORDS};
+use engine::store::retention::{self, Budget, KEPT_RECORDS};
 use engine::store::{Store, StoreError};
 
 /// At the end of a run: old records go, and what is over the given budget. Never while
@@ -18,7 +18,7 @@ pub(super) fn after_run(global: &GlobalArgs) {
         return;
     };
     let over = global.max_size;
-    let over = over.filter(|most| keeper::size(&store).is_ok_and(|size| size > *most));
+    let over = over.filter(|most| retention::size(&store).is_ok_and(|size| size > *most));
     if !many && over.is_none() {
         return;
     }
@@ -27,7 +27,7 @@ pub(super) fn after_run(global: &GlobalArgs) {
         keep_runs: 1,
         keep_records: KEPT_RECORDS,
     };
-    let swept = keeper::gc(&store, &budget, false);
+    let swept = retention::gc(&store, &budget, false);
     if global.json || global.quiet {
         return;
     }

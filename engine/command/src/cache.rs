@@ -10,8 +10,8 @@ use super::speech::CANCEL;
 use super::text::count;
 use clap::{Args, Subcommand};
 use engine::past::{self, Head};
-use engine::store::keeper::{self, Budget, KEPT_RECORDS, Kept, Swept};
 use engine::store::remote::Sharing;
+use engine::store::retention::{self, Budget, KEPT_RECORDS, Kept, Swept};
 use engine::store::{Store, StoreError};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -169,8 +169,8 @@ pub(crate) fn cache(
         }
         Verb::Forget(args) => forget_folder(args, &store, global)?,
         Verb::Verify => {
-            let bad = keeper::verify(&store).map_err(Fault::input)?;
-            let results = keeper::list(&store).map_err(Fault::input)?.len();
+            let bad = retention::verify(&store).map_err(Fault::input)?;
+            let results = retention::list(&store).map_err(Fault::input)?.len();
             print_either(global, json!({ "checked": results, "bad": bad }), || {
                 let (whole, aside) = (count(results, "result"), count(bad, "file"));
                 vec![format!("whole: {whole}; put aside: {aside}")]
@@ -183,7 +183,7 @@ pub(crate) fn cache(
 /// Removes what is worth least, until the user asks to stop.
 fn gc(store: &Store, budget: &Budget, dry_run: bool, global: &GlobalArgs) -> Result<(), Fault> {
     let stop = || CANCEL.load(Ordering::Relaxed);
-    let swept = keeper::gc_until(store, budget, dry_run, &stop).map_err(|why| match why {
+    let swept = retention::gc_until(store, budget, dry_run, &stop).map_err(|why| match why {
         StoreError::Left(_) => Fault::stage(why),
         why => Fault::input(why),
     })?;
@@ -195,7 +195,7 @@ fn gc(store: &Store, budget: &Budget, dry_run: bool, global: &GlobalArgs) -> Res
 }
 
 fn ls(store: &Store, global: &GlobalArgs) -> Result<(), StoreError> {
-    let mut kept = keeper::list(store)?;
+    let mut kept = retention::list(store)?;
     let total = total(store, &kept)?.0;
     kept.sort_by(|a, b| b.bytes.cmp(&a.bytes).then(a.key.cmp(&b.key)));
     let line = |k: &Kept| {
@@ -213,7 +213,7 @@ fn ls(store: &Store, global: &GlobalArgs) -> Result<(), StoreError> {
 /// How much these results are, in words and as JSON. Nodes may share a result.
 fn total(store: &Store, kept: &[Kept]) -> Result<(String, Value), StoreError> {
     let sizes: BTreeMap<&str, u64> = kept.iter().map(|k| (&*k.content, k.bytes)).collect();
-    let (total, parts) = (sizes.values().sum(), keeper::parts_size(store)?);
+    let (total, parts) = (sizes.values().sum(), retention::parts_size(store)?);
     let json = json!({ "results": kept.len(), "bytes": total, "parts_bytes": parts });
     let (results, total, parts) = (count(kept.len(), "result"), mib(total), mib(parts));
     let line = format!("{results}, {total:.1} MiB; parts {parts:.1} MiB");
@@ -221,7 +221,7 @@ fn total(store: &Store, kept: &[Kept]) -> Result<(String, Value), StoreError> {
 }
 
 fn du(store: &Store, global: &GlobalArgs) -> Result<(), StoreError> {
-    let (line, json) = total(store, &keeper::list(store)?)?;
+    let (line, json) = total(store, &retention::list(store)?)?;
     print_either(global, json, || vec![line]);
     Ok(())
 }

@@ -11,7 +11,7 @@ use super::working::{came, one_strand, plan, ran, run, work};
 use super::world::World;
 use crate::done::Status;
 use crate::session::EngineError;
-use crate::store::keeper::{self, Budget};
+use crate::store::retention::{self, Budget};
 use crate::store::{self, Store};
 use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
@@ -38,7 +38,7 @@ pub(super) fn act(world: &World, act: &Act, process: &Arc<Process>) -> String {
             format!("{}", store.unpin(&format!("pin-{name}")))
         }),
         What::Verify => with(world, process, |store| {
-            format!("{:?}", keeper::verify(store).ok())
+            format!("{:?}", retention::verify(store).ok())
         }),
         What::SweepStore { older_s } => sweep_store(world, process, *older_s),
         What::Ask { program, capture } => ask(world, process, *program, *capture),
@@ -76,7 +76,7 @@ fn gc(world: &World, process: &Arc<Process>, most: u64, keep: usize) -> String {
             keep_runs: keep,
             keep_records: keep,
         };
-        let swept = keeper::gc(store, &budget, false);
+        let swept = retention::gc(store, &budget, false);
         oracle::swept(world, machine, &before, in_use, swept.is_ok());
         match swept {
             Ok(swept) => format!("{} results went", swept.results.len()),

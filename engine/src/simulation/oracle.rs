@@ -12,7 +12,7 @@ use crate::done::Status;
 use crate::outcome::Outcome;
 use crate::own;
 use crate::past;
-use crate::store::{Store, keeper};
+use crate::store::{Store, retention};
 use stage::Hash;
 use std::sync::atomic::Ordering;
 
@@ -209,9 +209,9 @@ fn sound(world: &World, m: usize) {
         Err(why) => return world.broken(&format!("machine {m} has no store: {why}")),
     };
     if machine.known.borrow().harmed {
-        keeper::verify(&store).unwrap();
+        retention::verify(&store).unwrap();
     }
-    let bad = keeper::verify(&store).unwrap();
+    let bad = retention::verify(&store).unwrap();
     let strange = own::stranger(&machine.root).unwrap();
     if bad > 0 || strange.is_some() {
         world.broken(&format!("machine {m} is not sound: {bad} bad, {strange:?}"));

@@ -6,7 +6,7 @@ mod story;
 
 use super::forget::forget;
 use super::simulated::{Simulated, after_loss, below, laid};
-use super::{StoreError, keeper};
+use super::{StoreError, retention};
 use crate::own;
 use proof::Dice;
 use std::path::PathBuf;
@@ -54,8 +54,8 @@ fn nothing_of_a_capture_is_left_whatever_happened_before() {
         assert_eq!(forgotten.unread, Vec::<String>::new(), "{round}");
         story.clean(&round);
         // What is broken of the rest is put aside, and nothing of it is this one's.
-        keeper::verify(&store).unwrap();
-        assert_eq!(keeper::verify(&store).unwrap(), 0, "{round}");
+        retention::verify(&store).unwrap();
+        assert_eq!(retention::verify(&store).unwrap(), 0, "{round}");
         story.clean(&round);
         assert_eq!(own::stranger(store.root()).unwrap(), None, "{round}");
         if sound {
@@ -100,7 +100,7 @@ fn forgetting_that_is_killed_at_any_step_is_done_by_the_next_one() {
             let left = story.left();
             let next = forget(&story.store(&Simulated::default()).unwrap(), folder).unwrap();
             story.clean(&round);
-            assert_eq!(keeper::verify(&store).unwrap(), 0, "{round}");
+            assert_eq!(retention::verify(&store).unwrap(), 0, "{round}");
             assert!(
                 left.is_none() || next.known,
                 "{round}: no record is left of {left:?}"

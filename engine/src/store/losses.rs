@@ -3,7 +3,7 @@
 
 use super::index::Index;
 use super::simulated::{Simulated, after_loss, laid};
-use super::{Record, Store, StoreError, keeper};
+use super::{Record, Store, StoreError, retention};
 use crate::own;
 use proof::Dice;
 use stage::Hash;
@@ -77,8 +77,8 @@ fn hold(store: &Store, results: &[Result], round: &str) {
         assert_eq!(store.record(r.key).as_ref(), Some(&r.record), "{round}");
         assert_eq!(*store.blob(r.record.content).unwrap(), r.bytes, "{round}");
     }
-    keeper::verify(store).unwrap();
-    assert_eq!(keeper::verify(store).unwrap(), 0, "{round}");
+    retention::verify(store).unwrap();
+    assert_eq!(retention::verify(store).unwrap(), 0, "{round}");
     assert_eq!(own::stranger(store.root()).unwrap(), None, "{round}");
 }
 

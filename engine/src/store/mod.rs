@@ -36,7 +36,6 @@ mod forget;
 mod forgetting;
 mod found;
 mod index;
-pub mod keeper;
 mod lease;
 mod links;
 #[cfg(test)]
@@ -50,6 +49,7 @@ mod record;
 mod records;
 pub mod remote;
 mod removal;
+pub mod retention;
 #[cfg(test)]
 mod simulated;
 mod trace;

@@ -10,7 +10,7 @@ use crate::history::{self, RunSummary};
 use crate::outcome::Outcome;
 use crate::session::EngineError;
 use crate::store::Store;
-use crate::store::keeper::KEPT_RECORDS;
+use crate::store::retention::KEPT_RECORDS;
 use stage::{Files, Hash};
 use std::sync::mpsc::Receiver;
 use std::time::Instant;

@@ -2,7 +2,7 @@
 
 use crate::traced::{Ended, Fault, run};
 use engine::past;
-use engine::store::{Store, keeper};
+use engine::store::{Store, retention};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -194,7 +194,7 @@ impl Place {
     /// Everything in the cache is what it should be.
     pub(crate) fn holds(&self) -> Result<(), String> {
         let bad = self.cache().join("format").exists()
-            && !keeper::verify(&self.store()).is_ok_and(|bad| bad == 0);
+            && !retention::verify(&self.store()).is_ok_and(|bad| bad == 0);
         (!bad)
             .then_some(())
             .ok_or_else(|| "something is corrupt".into())

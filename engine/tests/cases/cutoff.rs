@@ -1,7 +1,7 @@
 //! When work is done and when not: what ran, on a chain clean → mid → final.
 
 use crate::place::{ALL, Log, NONE, Place, chain, graph};
-use engine::store::{Store, keeper};
+use engine::store::{Store, retention};
 use engine::walk::Status;
 
 #[test]
@@ -45,7 +45,7 @@ fn a_flipped_byte_is_found_put_aside_and_rebuilt() {
     }
     assert!(place.cache().join("quarantine").is_dir());
     assert_eq!(
-        keeper::verify(&Store::open(&place.cache()).unwrap()).unwrap(),
+        retention::verify(&Store::open(&place.cache()).unwrap()).unwrap(),
         0
     );
 }
@@ -130,7 +130,7 @@ fn any_number_of_threads_gives_equal_contents() {
         let cache = place.path().join(format!("cache{threads}"));
         place.run_in(&chain(3), &cache, threads);
         let store = Store::open(&cache).unwrap();
-        keeper::list(&store)
+        retention::list(&store)
             .unwrap()
             .into_iter()
             .map(|k| (k.key, k.content))

@@ -3,7 +3,7 @@
 
 use crate::place::{ALL, Log, NONE, Place, chain, graph};
 use engine::plan;
-use engine::store::keeper;
+use engine::store::retention;
 use engine::walk::{Status, Watch};
 use engine::{self, EngineError, Options};
 use proof::Dice;
@@ -79,7 +79,7 @@ fn every_file_of_the_store_may_be_garbled() {
             engine::runs(&place.cache()).for_each(drop);
         }
     }
-    assert_eq!(keeper::verify(&place.store()).unwrap(), 0);
+    assert_eq!(retention::verify(&place.store()).unwrap(), 0);
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn the_store_may_be_deleted_while_it_is_in_use() {
     );
     place.run(1);
     assert_eq!(place.run(1), NONE);
-    assert_eq!(keeper::verify(&place.store()).unwrap(), 0);
+    assert_eq!(retention::verify(&place.store()).unwrap(), 0);
 }
 
 #[test]
@@ -248,7 +248,7 @@ fn a_disk_that_takes_no_more_is_reported_and_the_next_run_goes_on() {
         String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     assert!(!out.status.success());
     assert!(error.contains("free space"), "{error}");
-    assert_eq!(keeper::verify(&place.store()).unwrap(), 0);
+    assert_eq!(retention::verify(&place.store()).unwrap(), 0);
     assert!(run("unlimited").status.success());
     assert_eq!(place.run(1), NONE);
 }

@@ -5,7 +5,7 @@ use engine::Options;
 use engine::graph::Graph;
 use engine::key;
 use engine::plan::{State, plan};
-use engine::store::{Store, keeper};
+use engine::store::{Store, retention};
 use engine::verify::verify;
 use engine::walk::Status;
 use proof::Dice;
@@ -129,7 +129,7 @@ fn any_number_of_threads_gives_equal_bytes() {
     let contents = |threads: usize| {
         let cache = place.path().join(format!("cache{threads}"));
         place.run_in(&graph, &cache, threads);
-        let kept = keeper::list(&Store::open(&cache).unwrap()).unwrap();
+        let kept = retention::list(&Store::open(&cache).unwrap()).unwrap();
         kept.into_iter()
             .map(|k| (k.key, k.content))
             .collect::<Vec<_>>()

@@ -10,7 +10,7 @@ use proof::Dice;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use engine::store::keeper;
+use engine::store::retention;
 
 /// Every file below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -81,8 +81,12 @@ fn a_loss_of_power_costs_work_and_nothing_else() {
             NONE,
             "round {round}"
         );
-        keeper::verify(&place.store()).unwrap();
-        assert_eq!(keeper::verify(&place.store()).unwrap(), 0, "round {round}");
+        retention::verify(&place.store()).unwrap();
+        assert_eq!(
+            retention::verify(&place.store()).unwrap(),
+            0,
+            "round {round}"
+        );
     }
     assert!(lost >= losses as usize, "only {lost} files were lost");
 }

@@ -4,7 +4,7 @@
 
 use crate::place::{Log, NONE, Place, chain, graph};
 use engine::graph::Graph;
-use engine::store::{Claim, keeper};
+use engine::store::{Claim, retention};
 use engine::walk::{Done, Status, Watch};
 use engine::{self, Options};
 use proof::Dice;
@@ -112,7 +112,7 @@ fn eight_processes_on_one_store_make_each_result_once() {
     let tally = tally(&place);
     assert_eq!(tally.len(), 25);
     assert!(tally.values().all(|n| *n == 1), "{tally:?}");
-    assert_eq!(keeper::verify(&place.store()).unwrap(), 0);
+    assert_eq!(retention::verify(&place.store()).unwrap(), 0);
 }
 
 #[test]
@@ -202,7 +202,11 @@ fn two_hundred_kills_at_random_moments_leave_a_clean_store() {
             "torn at kill {i}"
         );
         if i % 10 == 9 && place.cache().join("format").exists() {
-            assert_eq!(keeper::verify(&place.store()).unwrap(), 0, "after kill {i}");
+            assert_eq!(
+                retention::verify(&place.store()).unwrap(),
+                0,
+                "after kill {i}"
+            );
         }
     }
     assert!(killed >= 20, "only {killed} were killed in time");
@@ -220,12 +224,12 @@ fn two_hundred_kills_at_random_moments_leave_a_clean_store() {
             .collect::<Vec<_>>()
     };
     assert_eq!(contents(&place.cache()), contents(&fresh));
-    let budget = keeper::Budget {
+    let budget = retention::Budget {
         most: u64::MAX,
         keep_runs: 1,
         keep_records: 200,
     };
-    keeper::gc(&place.store(), &budget, false).unwrap();
+    retention::gc(&place.store(), &budget, false).unwrap();
     for litter in ["tmp", "lease"] {
         let left = std::fs::read_dir(place.cache().join(litter))
             .unwrap()

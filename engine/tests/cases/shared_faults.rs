@@ -4,7 +4,7 @@ use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, NONE, Place, chain, graph};
 use crate::shared::{begun, caches, shared, shelf, texts};
 use engine::store::remote::{Manner, Objects, Sharing};
-use engine::store::{Store, keeper};
+use engine::store::{Store, retention};
 use std::time::{Duration, Instant};
 
 fn all() -> Vec<String> {
@@ -18,7 +18,7 @@ fn whole(place: &Place, bucket: &Bucket, n: i64) {
     bucket.fail(Faults::default());
     let (made, _, printed) = shared(place, &cache, bucket, n);
     assert_eq!((made, printed), (vec![], vec![]));
-    assert_eq!(keeper::verify(&Store::open(&cache).unwrap()).unwrap(), 0);
+    assert_eq!(retention::verify(&Store::open(&cache).unwrap()).unwrap(), 0);
 }
 
 #[test]
@@ -82,12 +82,12 @@ fn a_bucket_that_is_gone_is_reported_and_what_waits_goes_there_later() {
     assert_eq!(printed.len(), 1, "{printed:?}");
     assert!(printed[0].contains("memory://bucket") && printed[0].contains("going on without it"));
     // Sweeping the store here leaves what waits.
-    let budget = keeper::Budget {
+    let budget = retention::Budget {
         most: 0,
         keep_runs: 0,
         keep_records: 0,
     };
-    keeper::gc(&Store::open(&a).unwrap(), &budget, false).unwrap();
+    retention::gc(&Store::open(&a).unwrap(), &budget, false).unwrap();
     // Nothing runs: what waits is uploaded all the same.
     bucket.fail(Faults::default());
     let (sharing, _) = begun(&a, &bucket, false);

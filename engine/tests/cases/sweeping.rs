@@ -3,19 +3,19 @@
 use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, Log, NONE, Place, chain};
 use crate::shared::{begun, caches};
-use engine::store::{Store, StoreError, keeper};
+use engine::store::{Store, StoreError, retention};
 use std::time::{Duration, Instant};
 
-fn budget(most: u64, keep_runs: usize) -> keeper::Budget {
-    keeper::Budget {
+fn budget(most: u64, keep_runs: usize) -> retention::Budget {
+    retention::Budget {
         most,
         keep_runs,
         keep_records: 200,
     }
 }
 
-fn sweep(place: &Place, budget: &keeper::Budget, dry_run: bool) -> keeper::Swept {
-    keeper::gc(&place.store(), budget, dry_run).unwrap()
+fn sweep(place: &Place, budget: &retention::Budget, dry_run: bool) -> retention::Swept {
+    retention::gc(&place.store(), budget, dry_run).unwrap()
 }
 
 #[test]
@@ -28,15 +28,15 @@ fn gc_removes_what_is_cheap_for_its_size_and_a_rerun_makes_nothing_of_it() {
     assert_eq!(last_kept.len(), 0, "the last run is kept");
     assert_eq!(sweep(&place, &budget(0, 0), true).results.len(), 4);
     assert_eq!(
-        keeper::list(&store).unwrap().len(),
+        retention::list(&store).unwrap().len(),
         4,
         "a dry run removes nothing"
     );
     let blob = std::fs::read(place.blob(1, "mid")).unwrap().len() as u64;
     let gone = sweep(&place, &budget(3 * blob, 0), false).results;
     assert!((1..4).contains(&gone.len()));
-    let worth = |k: &keeper::Kept| k.seconds / k.bytes as f64;
-    let left = keeper::list(&store).unwrap();
+    let worth = |k: &retention::Kept| k.seconds / k.bytes as f64;
+    let left = retention::list(&store).unwrap();
     assert!(
         gone.iter()
             .all(|g| left.iter().all(|l| worth(g) <= worth(l)))
@@ -48,7 +48,7 @@ fn gc_removes_what_is_cheap_for_its_size_and_a_rerun_makes_nothing_of_it() {
             .iter()
             .all(|name| goal(name) || name == "mid" || name == "clean")
     );
-    assert_eq!(keeper::verify(&store).unwrap(), 0);
+    assert_eq!(retention::verify(&store).unwrap(), 0);
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn records_of_old_runs_go_but_not_those_of_pins_nor_those_that_other_runs_refer_
     let ids: Vec<String> = engine::runs(&place.cache()).map(|r| r.0).collect();
     assert_eq!(ids.len(), 7);
     place.store().pin("second", &ids[5]).unwrap();
-    let few = keeper::Budget {
+    let few = retention::Budget {
         keep_records: 1,
         ..budget(u64::MAX, 1)
     };
@@ -106,7 +106,7 @@ fn nothing_is_swept_while_a_run_uses_the_store() {
     let place = Place::new("hello\n");
     let graph = chain(1);
     let outcome = place.outcome(&graph, &place.cache(), 1, &Log::default());
-    let busy = keeper::gc(&place.store(), &budget(0, 0), false);
+    let busy = retention::gc(&place.store(), &budget(0, 0), false);
     assert!(matches!(busy, Err(StoreError::Busy(_))));
     assert_eq!(
         sweep(&place, &budget(0, 0), true).results.len(),
@@ -135,7 +135,7 @@ fn a_sweep_waits_for_uploads_of_its_own_process() {
     let (sharing, _) = begun(&a, &bucket, false);
     place.run_in(&chain(1), &a, 2);
     for _ in 0..3 {
-        keeper::gc(&Store::open(&a).unwrap(), &budget(u64::MAX, 1), false)
+        retention::gc(&Store::open(&a).unwrap(), &budget(u64::MAX, 1), false)
             .expect("nobody else uses it");
         std::thread::sleep(Duration::from_millis(20));
     }

@@ -72,7 +72,9 @@ fn every_way_to_fail_is_reported() {
     let why = place.failure(&start);
     assert!(why.contains("{here}") || why.contains("none.sh"), "{why}");
     assert_eq!(
-        engine::store::keeper::list(&place.store()).unwrap().len(),
+        engine::store::retention::list(&place.store())
+            .unwrap()
+            .len(),
         0,
         "a failure is never kept"
     );
@@ -166,7 +168,9 @@ fn an_identity_that_changes_while_the_program_runs_is_reported_and_nothing_is_ke
         "{why}"
     );
     assert_eq!(
-        engine::store::keeper::list(&place.store()).unwrap().len(),
+        engine::store::retention::list(&place.store())
+            .unwrap()
+            .len(),
         0
     );
 }

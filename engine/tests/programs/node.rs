@@ -3,7 +3,7 @@
 use crate::application::{Nobody, Pages, Place, Text, done, is_made, left, shell};
 use crate::sandboxed::full_sandbox;
 use engine::plan::{State, plan};
-use engine::store::keeper::{Budget, gc};
+use engine::store::retention::{Budget, gc};
 use engine::walk::Watch;
 use engine::{permission, verify};
 use std::os::unix::fs::PermissionsExt;
