@@ -58,14 +58,7 @@ fn one_reason_is_printed_once_for_all_that_it_is_the_reason_of() {
 
 #[test]
 fn what_has_no_scale_is_marked() {
-    let mut cameras = Cameras {
-        views: [].into_iter().collect(),
-        scale: Scale::Nothing,
-        scale_sigma: None,
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: vec![],
-    };
+    let mut cameras = Cameras::of([], Scale::Nothing);
     let text = shown(Some(&cameras), &Girths::default());
     assert!(text.contains("LENGTHS ARE RELATIVE"), "{text}");
     cameras.scale = Scale::Disputed([Length::Mat, Length::Stature]);

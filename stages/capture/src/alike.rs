@@ -63,9 +63,7 @@ const TURN: usize = 8;
 fn two_turns(photos: &[Photo]) -> Option<Message> {
     let times: Vec<f64> = photos.iter().map(|p| p.time_s).collect::<Option<_>>()?;
     let pauses: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
-    let mut sorted = pauses.clone();
-    sorted.sort_by(f64::total_cmp);
-    let usual = sorted.get(sorted.len() / 2)?;
+    let usual = &shape::upper_median(&pauses)?;
     let at = pauses
         .iter()
         .position(|pause| *pause > (PAUSE.0 * usual).max(PAUSE.1))?;
@@ -136,14 +134,9 @@ mod tests {
 
     fn photo(name: &str, device: &str, focal_35mm: Option<f64>) -> Photo {
         Photo {
-            name: name.into(),
-            width: 4,
-            height: 4,
-            orientation: 1,
             focal_35mm,
             device: device.into(),
-            time_s: None,
-            file: Vec::new().into(),
+            ..Photo::of(name, [4, 4], Vec::new())
         }
     }
 

@@ -1,11 +1,11 @@
 //! What small pictures of a turn show at once: what does not move, what turns, whether photos follow each other.
 
-use shape::{Gray, Rgb};
+use shape::{Gray, Rgb, upper_median};
 
 /// Small pictures are about so many pixels across (structural: size of a small picture). \[px\]
 const ACROSS: usize = 96;
 /// A pixel that changes by less than this over the photos does not move. \[levels\]
-const STILL: f32 = 9.0;
+pub(crate) const STILL: f32 = 9.0;
 /// A row or column at the border is reached where so much of it moves.
 const REACHED: f64 = 0.04;
 
@@ -81,16 +81,11 @@ pub struct Together {
     pub reached: [bool; 4],
 }
 
-fn median(mut all: Vec<f64>) -> f64 {
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(0.0)
-}
-
 /// Photos of one size, in order; at least two.
 pub fn together(all: &[Glance]) -> Together {
     let pixels = all[0].small.data.len();
     let middle: Vec<f64> = (0..pixels)
-        .map(|i| median(all.iter().map(|g| f64::from(g.small.data[i])).collect()))
+        .map(|i| upper_median(all.iter().map(|g| f64::from(g.small.data[i]))).unwrap_or(0.0))
         .collect();
     // By the middle of the ratios of pixels that are neither black nor white.
     let clear = |i: &usize| middle[*i] > 12.0 && middle[*i] < 243.0;
@@ -98,7 +93,7 @@ pub fn together(all: &[Glance]) -> Together {
         let ratio = |i: &usize| f64::from(g.small.data[*i]) / middle[*i];
         match of.is_empty() {
             true => 1.0,
-            false => median(of.iter().map(ratio).collect()).max(0.05),
+            false => upper_median(of.iter().map(ratio)).unwrap_or(0.0).max(0.05),
         }
     };
     let clear: Vec<usize> = (0..pixels).filter(clear).collect();

@@ -97,9 +97,7 @@ pub(crate) fn of_photos(
         }
     };
     let found = in_order((0..count).into_par_iter().map(one))?;
-    let mut found: Vec<f64> = found.into_iter().flatten().collect();
-    found.sort_by(f64::total_cmp);
-    Ok(found.get(found.len() / 2).map(|levels| (*levels, against)))
+    Ok(shape::upper_median(found.into_iter().flatten()).map(|levels| (levels, against)))
 }
 
 /// What is odd about so much noise.

@@ -2,7 +2,9 @@
 
 use crate::empty::absent;
 use crate::glance::Glance;
+use crate::sharpness::blurred;
 use crate::verdict::{Finding, Findings, Grade, Seen, camera_is_fixed, lengths};
+use shape::upper_median;
 use stage::message;
 use std::collections::BTreeSet;
 
@@ -51,10 +53,6 @@ const MOVED: f64 = 0.03;
 const SHUFFLED: f64 = 0.88;
 /// A photo is not where it belongs if the same is true of it: a body that is alike from two sides, or a mat, is not.
 const STRANGE: f64 = 0.65;
-/// So many photos to each side give how sharp one should be.
-const AROUND: usize = 3;
-/// A photo is blurred that is less sharp than this share of the middle one around it.
-const BLURRED: f64 = 0.45;
 /// Exposures are uneven that differ by more than this. \[EV\]
 const UNEVEN_EV: f64 = 0.25;
 /// A photo is burnt, or drowned, by more than this share of it.
@@ -108,9 +106,7 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         );
         return;
     }
-    let mut likeness = together.astray.clone();
-    likeness.sort_by(f64::total_cmp);
-    if likeness[count / 2] < SHUFFLED {
+    if upper_median(&together.astray).is_some_and(|likeness| likeness < SHUFFLED) {
         let grade = if tagged {
             Grade::Doubt
         } else {
@@ -140,9 +136,7 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         );
     }
     let inner = &together.steps[..count - 1];
-    let mut sorted = inner.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let usual = sorted[sorted.len() / 2];
+    let usual = upper_median(inner).unwrap_or_default();
     let of = |f: &dyn Fn(f64) -> bool| -> Vec<usize> {
         (0..inner.len())
             .filter(|i| f(inner[*i] / usual.max(1e-9)))
@@ -163,15 +157,7 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let places = |of: &dyn Fn(usize) -> bool| -> Vec<usize> {
         (0..seen.glances.len()).filter(|i| of(*i)).collect()
     };
-    // Against those around it: a body shows more edges from one side than from another.
-    let around = |i: usize| {
-        let n = seen.sharpness.len();
-        let near = (0..n).filter(|j| i.abs_diff(*j).min(n - i.abs_diff(*j)) <= AROUND);
-        let mut all: Vec<f64> = near.map(|j| seen.sharpness[j]).collect();
-        all.sort_by(f64::total_cmp);
-        all[all.len() / 2]
-    };
-    let blurred = places(&|i| seen.sharpness[i] < BLURRED * around(i));
+    let blurred = blurred(seen.sharpness);
     if !blurred.is_empty() {
         findings.put(
             Grade::Doubt,

@@ -6,16 +6,7 @@ use shape::{Photo, Photos, Rig};
 
 #[test]
 fn a_shuffled_turn_is_no_camera_in_the_hand() {
-    let photo = Photo {
-        name: String::new(),
-        width: 4,
-        height: 4,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: Vec::new().into(),
-    };
+    let photo = Photo::of(String::new(), [4, 4], Vec::new());
     let photos = Photos {
         photos: vec![photo; 12],
         plate: None,

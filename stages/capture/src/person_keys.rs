@@ -2,7 +2,7 @@
 
 use crate::date::{Day, day_text, read_day};
 use crate::keys::{Keys, RigError};
-use shape::{Person, Sex, day_number};
+use shape::{Person, Sex};
 use stage::message;
 use toml::Table;
 
@@ -53,7 +53,7 @@ pub(crate) fn read_person(table: Table) -> Result<Person, RigError> {
         None => None,
         Some(value) => {
             let day = day_text(&value);
-            match day_number(&day) {
+            match stage::day_number(&day) {
                 Some(_) => Some(day),
                 None => return Err(subject.wrong("born", message!(DAY), &value)),
             }

@@ -3,6 +3,7 @@
 use crate::error::CaptureError;
 use crate::exif;
 use crate::folder::is_raw;
+use crate::heic::QUALITY;
 use crate::installed::{found, linked, version};
 use crate::names::{sorted, twins};
 use crate::netpbm::{self, Netpbm};
@@ -66,8 +67,6 @@ const DCRAW: Program = Program {
 };
 /// Nobody's photo takes longer. \[s\]
 const LIMIT: Duration = Duration::from_secs(300);
-/// Quality of the JPEG files.
-const QUALITY: u8 = 97;
 
 impl Stage for Raw {
     const NAME: &'static str = "capture.raw";
@@ -192,15 +191,14 @@ fn developed(
         data: data.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect(),
     };
     Ok(Photo {
-        name: as_jpeg(name),
-        width: width as u32,
-        height: height as u32,
-        // dcraw_emu has turned it upright.
-        orientation: 1,
         focal_35mm: exif.focal_35mm,
         device: exif.device,
         time_s: exif.time_s,
-        file: rgb_to_jpeg(&rgb, QUALITY).into(),
+        ..Photo::of(
+            as_jpeg(name),
+            [width as u32, height as u32],
+            rgb_to_jpeg(&rgb, QUALITY),
+        )
     })
 }
 

@@ -4,6 +4,22 @@ use shape::Rgb;
 
 /// Photos are looked at on about so many pixels across: finer is noise of the sensor. \[px\]
 const ACROSS: usize = 1000;
+/// So many photos to each side give how sharp one should be.
+const AROUND: usize = 3;
+/// A photo is blurred that is less sharp than this share of the middle one around it.
+const BLURRED: f64 = 0.45;
+
+/// The places of blurred photos of a turn. Each is compared with those around it: a body shows more edges from one side
+/// than from another.
+pub(crate) fn blurred(sharp: &[f64]) -> Vec<usize> {
+    let n = sharp.len();
+    let around = |i: usize| {
+        let near = (0..n).filter(|j| i.abs_diff(*j).min(n - i.abs_diff(*j)) <= AROUND);
+        shape::upper_median(near.map(|j| sharp[j])).unwrap_or_default()
+    };
+    let is = |i: &usize| sharp[*i] < BLURRED * around(*i);
+    (0..n).filter(is).collect()
+}
 
 /// Mean square of the Laplacian of brightness, against the variance of brightness, over the photo in
 /// blocks of pixels: greater is sharper. 0 for a photo of one brightness.

@@ -60,14 +60,8 @@ mod tests {
                 .collect(),
         };
         let photo = Photo {
-            name: "a.png".into(),
-            width: width as u32,
-            height: height as u32,
-            orientation: 1,
             focal_35mm: Some(50.0),
-            device: String::new(),
-            time_s: None,
-            file: rgb_to_png(&pixels).into(),
+            ..Photo::of("a.png", [width as u32, height as u32], rgb_to_png(&pixels))
         };
         (photo, pixels)
     }

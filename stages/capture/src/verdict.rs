@@ -78,9 +78,7 @@ impl Findings<'_> {
 
 /// How sharp photos are against the middle one.
 pub(crate) fn against_the_middle(sharp: &[f64]) -> Vec<f64> {
-    let mut sorted = sharp.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let middle = sorted.get(sorted.len() / 2).map_or(1.0, |m| m.max(1e-12));
+    let middle = shape::upper_median(sharp).map_or(1.0, |m| m.max(1e-12));
     sharp.iter().map(|s| s / middle).collect()
 }
 

@@ -115,16 +115,7 @@ mod tests {
     use shape::{Label, PhotoEvidence};
 
     fn colors(png: &[u8]) -> Vec<[u8; 3]> {
-        let photo = shape::Photo {
-            name: String::new(),
-            width: 2,
-            height: 1,
-            orientation: 1,
-            focal_35mm: None,
-            device: String::new(),
-            time_s: None,
-            file: png.to_vec().into(),
-        };
+        let photo = shape::Photo::of(String::new(), [2, 1], png.to_vec());
         photo.decode().unwrap().data
     }
 

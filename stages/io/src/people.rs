@@ -125,16 +125,11 @@ mod tests {
 
     #[test]
     fn people_are_listed_and_drawn() {
-        let photo = Photo {
-            name: "a.png".into(),
-            width: 200,
-            height: 200,
-            orientation: 1,
-            focal_35mm: None,
-            device: String::new(),
-            time_s: None,
-            file: rgb_to_png(&Rgb::filled(200, 200, [90; 3])).into(),
-        };
+        let photo = Photo::of(
+            "a.png",
+            [200, 200],
+            rgb_to_png(&Rgb::filled(200, 200, [90; 3])),
+        );
         let photos = Photos {
             photos: vec![photo],
             ..Photos::default()

@@ -98,15 +98,12 @@ mod tests {
 
     #[test]
     fn a_sheet_darkens_what_is_no_body_and_draws_the_border() {
-        let photo = |name: &str| Photo {
-            name: name.into(),
-            width: 640,
-            height: 320,
-            orientation: 1,
-            focal_35mm: None,
-            device: String::new(),
-            time_s: None,
-            file: rgb_to_png(&Rgb::filled(640, 320, [90, 120, 150])).into(),
+        let photo = |name: &str| {
+            Photo::of(
+                name,
+                [640, 320],
+                rgb_to_png(&Rgb::filled(640, 320, [90, 120, 150])),
+            )
         };
         let photos = Photos {
             photos: (0..7).map(|i| photo(&format!("{i}.png"))).collect(),

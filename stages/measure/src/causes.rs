@@ -98,9 +98,7 @@ fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, Message)> {
         .join(&masks.views)
         .map(|(id, _, mask)| (id, mask.area() as f64 / mask.data.len().max(1) as f64))
         .collect();
-    let mut sorted: Vec<f64> = areas.iter().map(|a| a.1).collect();
-    sorted.sort_by(f64::total_cmp);
-    let usual = *sorted.get(sorted.len() / 2)?;
+    let usual = shape::upper_median(areas.iter().map(|a| a.1))?;
     let none = areas.iter().filter(|(_, area)| *area < EMPTY * usual);
     let none: Vec<PhotoId> = none.map(|(id, _)| *id).collect();
     let named = named(cameras, &none);

@@ -134,6 +134,20 @@ impl Intrinsics {
 }
 
 impl Camera {
+    /// A camera at a place that looks at another one, not above or below it; z is up on its photo. \[mm\]
+    pub fn looking(lens: Intrinsics, from: Point3<f64>, at: Point3<f64>) -> Camera {
+        let ahead = (at - from).normalize();
+        let right = ahead.cross(&Vector3::z()).normalize();
+        let rows = [right, ahead.cross(&right), ahead].map(|r| r.transpose());
+        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
+        let translation = -(rotation * from.coords);
+        let pose = Pose {
+            rotation,
+            translation,
+        };
+        Camera { lens, pose }
+    }
+
     /// The camera's centre in the world. \[mm\]
     pub fn centre(&self) -> Point3<f64> {
         self.pose.centre()

@@ -1,6 +1,6 @@
 //! The calibrated cameras of a turn, in the turntable frame, and how far to trust them.
 
-use crate::{ByPhoto, Camera, Unit};
+use crate::{ByPhoto, Camera, PhotoId, Unit};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Template, Unpacker};
 
@@ -129,6 +129,33 @@ pub struct Cameras {
     pub ground_mm: f64,
     /// Points of the body and disk in the world, three numbers each. \[mm\] May be empty.
     pub points: Vec<[f32; 3]>,
+}
+
+impl View {
+    /// A camera of which nothing else is known.
+    pub fn of(name: impl Into<String>, camera: Camera) -> View {
+        View {
+            name: name.into(),
+            camera,
+            sigma_mm: None,
+            rms_px: None,
+            points: 0,
+        }
+    }
+}
+
+impl Cameras {
+    /// Cameras of a scale, with the ground at 0, of which nothing else is known.
+    pub fn of(views: impl IntoIterator<Item = (PhotoId, View)>, scale: Scale) -> Cameras {
+        Cameras {
+            views: views.into_iter().collect(),
+            scale,
+            scale_sigma: None,
+            disk_radius_mm: None,
+            ground_mm: 0.0,
+            points: vec![],
+        }
+    }
 }
 
 impl Artifact for Cameras {

@@ -135,40 +135,19 @@ fn shows(camera: &Camera, mask: &Mask, point: &Point3<f64>) -> Option<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Intrinsics, Pose, Scale, View};
-    use nalgebra::{Matrix3, Rotation3, Vector3};
+    use crate::{Intrinsics, Scale, View};
+    use nalgebra::Point3;
 
     /// Twelve cameras 3 m around a post 1 m tall and 0.3 m wide, and what they see of it.
     fn turn() -> (Cameras, Masks) {
         let camera = |k: u32| {
             let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / 12.0);
-            let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
-            let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
-            let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
-            let centre = Vector3::new(3000.0 * c, 3000.0 * s, 500.0);
-            Camera {
-                lens: Intrinsics::simple(120, 160, 300.0),
-                pose: Pose {
-                    rotation,
-                    translation: -(rotation * centre),
-                },
-            }
+            let lens = Intrinsics::simple(120, 160, 300.0);
+            let from = Point3::new(3000.0 * c, 3000.0 * s, 500.0);
+            Camera::looking(lens, from, Point3::new(0.0, 0.0, 500.0))
         };
-        let view = |k: u32| View {
-            name: format!("{k:04}.jpg"),
-            camera: camera(k),
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
-        let cameras = Cameras {
-            views: (0..12).map(|k| (PhotoId(k), view(k))).collect(),
-            scale: Scale::Given,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        };
+        let view = |k: u32| View::of(format!("{k:04}.jpg"), camera(k));
+        let cameras = Cameras::of((0..12).map(|k| (PhotoId(k), view(k))), Scale::Given);
         let mut mask = Mask::filled(120, 160, 0);
         for y in 30..130 {
             (45..75).for_each(|x| *mask.at_mut(x, y) = 255);

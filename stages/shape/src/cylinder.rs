@@ -182,23 +182,10 @@ mod tests {
                 rotation,
                 translation: -(rotation * centre),
             };
-            let view = View {
-                name: String::new(),
-                camera: Camera { lens, pose },
-                sigma_mm: None,
-                rms_px: None,
-                points: 0,
-            };
+            let view = View::of(String::new(), Camera { lens, pose });
             (PhotoId(k), view)
         };
-        Cameras {
-            views: (0..count).map(view).collect(),
-            scale: Scale::Given,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        }
+        Cameras::of((0..count).map(view), Scale::Given)
     }
 
     fn seen(cameras: &Cameras, x: &Point3<f64>) -> usize {

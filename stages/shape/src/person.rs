@@ -1,7 +1,6 @@
 //! Who is measured and when: what results are called after, and what indices and growth references ask for. Personal: apart
 //! from the capture's other facts, so that only stages that ask for it have it in their keys, and run again when it changes.
 
-use crate::day_number;
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
@@ -48,7 +47,7 @@ const DAYS: f64 = 30.4375;
 impl Person {
     /// The age on the day of the capture, negative for one before birth; `None` where it does not follow. \[months\]
     pub fn age_on(&self, day: Option<&str>) -> Option<f64> {
-        let lived = || Some(day_number(day?)? - day_number(self.born.as_deref()?)?);
+        let lived = || Some(stage::day_number(day?)? - stage::day_number(self.born.as_deref()?)?);
         self.age_months.or_else(|| Some(lived()? as f64 / DAYS))
     }
 }

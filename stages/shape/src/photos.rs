@@ -56,6 +56,24 @@ impl std::fmt::Display for PhotoError {
 impl std::error::Error for PhotoError {}
 
 impl Photo {
+    /// A file of pixels that are upright, of which nothing else is known; its width and height. \[px\]
+    pub fn of(
+        name: impl Into<String>,
+        [width, height]: [u32; 2],
+        file: impl Into<PhotoFile>,
+    ) -> Photo {
+        Photo {
+            name: name.into(),
+            width,
+            height,
+            orientation: 1,
+            focal_35mm: None,
+            device: String::new(),
+            time_s: None,
+            file: file.into(),
+        }
+    }
+
     /// The pixels, upright.
     ///
     /// # Errors

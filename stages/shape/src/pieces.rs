@@ -1,25 +1,15 @@
 //! Connected pieces of a mesh, and a mesh of some of its faces.
 
-use crate::Mesh;
+use crate::{Mesh, join, root};
 
 impl Mesh {
     /// The connected piece of each face that is wanted, named by its least vertex; [`None`] for the rest.
     /// Faces are connected where they share a vertex.
     pub fn pieces(&self, wanted: impl Fn(u32) -> bool) -> Vec<Option<u32>> {
         let mut parent: Vec<u32> = (0..self.positions.len() as u32).collect();
-        fn root(parent: &mut [u32], mut v: u32) -> u32 {
-            while parent[v as usize] != v {
-                parent[v as usize] = parent[parent[v as usize] as usize];
-                v = parent[v as usize];
-            }
-            v
-        }
         let faces = || self.faces.iter().enumerate();
         for (_, [first, rest @ ..]) in faces().filter(|(f, _)| wanted(*f as u32)) {
-            for v in rest {
-                let [a, b] = [*first, *v].map(|v| root(&mut parent, v));
-                parent[a.max(b) as usize] = a.min(b);
-            }
+            rest.iter().for_each(|v| join(&mut parent, *first, *v));
         }
         faces()
             .map(|(f, face)| wanted(f as u32).then(|| root(&mut parent, face[0])))

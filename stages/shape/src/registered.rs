@@ -50,11 +50,7 @@ fn levelled(picture: &Gray, placed: &Placed) -> Gray {
 /// Moved so that the middle one of all shifts, rolls, gains and biases is none: photos of a camera that moved
 /// only once stay where they are.
 fn centred(placed: &mut [Option<Placed>]) {
-    let middle = |of: &dyn Fn(&Placed) -> f64| {
-        let mut all: Vec<f64> = placed.iter().flatten().map(of).collect();
-        all.sort_by(f64::total_cmp);
-        all.get(all.len() / 2).copied()
-    };
+    let middle = |of: &dyn Fn(&Placed) -> f64| crate::upper_median(placed.iter().flatten().map(of));
     let shift = [0, 1].map(|i| middle(&|p| p.shift[i]));
     let (roll, gain) = (middle(&|p| p.roll), middle(&|p| p.gain));
     let ([Some(dx), Some(dy)], Some(roll), Some(gain)) = (shift, roll, gain) else {

@@ -17,6 +17,7 @@ mod artifact;
 mod choice;
 mod codec;
 mod ctx;
+mod day;
 mod erase;
 mod failure;
 mod field;
@@ -40,6 +41,7 @@ pub use artifact::{Artifact, Hash, Packer, Unpacker, content, from_bytes, hash, 
 pub use choice::Choice;
 pub use codec::Corrupt;
 pub use ctx::{Ctx, Host, Metric, Steps};
+pub use day::{day_number, day_text};
 pub use erase::{AnyStage, Checked, Erased, Made, erase};
 pub use failure::{Coded, Recognise, recognise};
 pub use files::{FileEntry, Files, FilesError};

@@ -102,7 +102,7 @@ fn camera(view: &Value) -> Option<Camera> {
 mod tests {
     use super::*;
     use io::cameras_to_json;
-    use shape::{ByPhoto, PhotoId, Scale};
+    use shape::{PhotoId, Scale};
 
     #[test]
     fn cameras_come_back_from_their_file() {
@@ -116,21 +116,8 @@ mod tests {
                 translation: Vector3::new(1.0, 2.0, 3000.0),
             },
         };
-        let view = shape::View {
-            name: "0007.jpg".into(),
-            camera,
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
-        let cameras = Cameras {
-            views: [(PhotoId(7), view)].into_iter().collect::<ByPhoto<_>>(),
-            scale: Scale::Mat,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        };
+        let view = shape::View::of("0007.jpg", camera);
+        let cameras = Cameras::of([(PhotoId(7), view)], Scale::Mat);
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(
             folder.path().join("cameras.json"),

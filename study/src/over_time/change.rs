@@ -1,7 +1,6 @@
 //! What changed from the first capture on, each with its interval and with what repetition alone gives.
 
 use super::lay::{Laid, lay, tapes};
-use super::median::median;
 use super::series::{Series, Visit};
 use super::who::{Doubt, doubts};
 use crate::compare::TechnicalErrors;
@@ -166,7 +165,7 @@ pub fn follow(person: &str, series: &Series, known: &TechnicalErrors) -> Followe
         let labels = labels_like(&other.mesh, posed, &parts);
         let mut now = day(other, litres(&volumes(&other.mesh, &labels, &PARTS)));
         now.turned_deg = laid.posed.trunk.rotation.euler_angles().2.to_degrees();
-        now.growth_mm = median(&growth);
+        now.growth_mm = shape::upper_median(&growth).unwrap_or(0.0);
         now.doubts = doubts(first, other, &growth);
         for doubt in &now.doubts {
             followed.warnings.push(format!(

@@ -1,7 +1,7 @@
 //! A girth over days as SVG: points, the band of what repetition gives, what exceeds it filled.
 
 use super::change::{Followed, Line};
-use shape::day_number;
+use stage::day_number;
 use std::fmt::Write;
 
 /// Size of the plot, and what is left for labels: left, right, top, bottom. \[px\]

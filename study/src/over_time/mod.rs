@@ -10,7 +10,6 @@ mod change;
 mod curve;
 mod day;
 mod lay;
-mod median;
 mod page;
 mod part_of;
 mod pictures;

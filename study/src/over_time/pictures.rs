@@ -3,8 +3,8 @@
 use super::series::Visit;
 use crate::compare::render::render;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use nalgebra::{Matrix3, Point3, Rotation3};
-use shape::{Camera, Intrinsics, Mesh, Pose, Rgb, rgb_to_jpeg};
+use nalgebra::Point3;
+use shape::{Camera, Intrinsics, Mesh, Rgb, rgb_to_jpeg};
 
 /// Size of a picture, and how far away the camera is, as a share of the stature.
 const WIDE: u32 = 320;
@@ -21,17 +21,8 @@ fn camera(visit: &Visit, sign: f64) -> Camera {
         .bounds()
         .map_or(Point3::origin(), |(a, b)| nalgebra::center(&a, &b));
     let eye = middle + body.front * (sign * FAR * body.stature);
-    let z = (middle - eye).normalize();
-    let x = z.cross(&nalgebra::Vector3::z()).normalize();
-    let rows = Matrix3::from_rows(&[x.transpose(), z.cross(&x).transpose(), z.transpose()]);
-    let rotation = Rotation3::from_matrix_unchecked(rows);
-    Camera {
-        lens: Intrinsics::simple(WIDE, HIGH, 0.9 * f64::from(HIGH) * FAR),
-        pose: Pose {
-            rotation,
-            translation: -(rotation * eye.coords),
-        },
-    }
+    let lens = Intrinsics::simple(WIDE, HIGH, 0.9 * f64::from(HIGH) * FAR);
+    Camera::looking(lens, eye, middle)
 }
 
 /// Blue where it shrank, orange where it grew.

@@ -4,7 +4,7 @@ use super::day::day_in;
 use crate::repeat::{By, Capture, captures};
 use crate::sections::{Body, body};
 use serde_json::Value;
-use shape::{Mesh, Unit, day_number, mesh_from_ply};
+use shape::{Mesh, Unit, mesh_from_ply};
 use std::path::{Path, PathBuf};
 
 /// One capture.
@@ -62,7 +62,7 @@ fn visit(capture: Capture) -> Result<Visit, String> {
         .girths
         .date
         .clone()
-        .filter(|d| day_number(d).is_some());
+        .filter(|d| stage::day_number(d).is_some());
     Ok(Visit {
         day: day.or_else(|| day_in(&capture.name)),
         mesh,
@@ -90,7 +90,7 @@ pub fn series(folders: &[PathBuf]) -> Result<Series, String> {
     let all = captures(folders, By::One)?;
     let mut visits: Vec<Visit> = visits(all)?;
     let mut warnings = Vec::new();
-    let number = |v: &Visit| v.day.as_deref().and_then(day_number);
+    let number = |v: &Visit| v.day.as_deref().and_then(stage::day_number);
     let unknown: Vec<&str> = visits
         .iter()
         .filter(|v| number(v).is_none())

@@ -1,6 +1,5 @@
 //! Whether two captures are of the same person: what weight does not change.
 
-use super::median::median;
 use super::series::Visit;
 use std::fmt;
 
@@ -62,7 +61,7 @@ fn doubts_of(statures: Option<((f64, f64), (f64, f64))>, growth: &[f64]) -> Vec<
         (off_mm.abs() > most_mm).then_some(Doubt::Stature { off_mm, most_mm })
     });
     let far: Vec<f64> = growth.iter().map(|g| g.abs()).collect();
-    let off_mm = median(&far);
+    let off_mm = shape::upper_median(&far).unwrap_or(0.0);
     let shape = (off_mm > FAR_MM).then_some(Doubt::Shape { off_mm });
     stature.into_iter().chain(shape).collect()
 }

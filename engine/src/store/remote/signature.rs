@@ -34,7 +34,7 @@ pub fn keygen(path: &Path, days: u32) -> Result<String, NoKey> {
         key: hex(pair.public_key().as_ref()),
         until: Some(until),
     };
-    let (line, until) = (public.line(), day::text(until));
+    let (line, until) = (public.line(), stage::day_text(until));
     let mut beside = path.as_os_str().to_owned();
     beside.push(".pub");
     let beside = PathBuf::from(beside);
@@ -74,7 +74,7 @@ impl Keys {
             what: match lapsed {
                 Lapsed::Expired => format!(
                     "was good until {}: make a new one with `cache keygen`, and give its `.pub` to those who trust you",
-                    until.map_or(String::new(), day::text)
+                    until.map_or(String::new(), stage::day_text)
                 ),
                 Lapsed::Revoked => {
                     "is revoked by the file `revoked` beside the list of --trust".into()
@@ -105,7 +105,7 @@ fn signing(path: &Path) -> Result<(Ed25519KeyPair, Public), NoKey> {
         None => None,
         Some(line) => {
             let until = line.trim().strip_prefix("until ").ok_or_else(none)?;
-            Some(day::parse(until).ok_or_else(none)?)
+            Some(stage::day_number(until).ok_or_else(none)?)
         }
     };
     let key = hex(pair.public_key().as_ref());

@@ -17,7 +17,7 @@ pub(crate) struct Public {
 impl Public {
     /// Its line in a list.
     pub(crate) fn line(&self) -> String {
-        let until = self.until.map(day::text);
+        let until = self.until.map(stage::day_text);
         let until = until.map_or(String::new(), |day| format!(" until {day}"));
         format!("{METHOD} {}{until}", self.key)
     }
@@ -87,7 +87,7 @@ pub(super) fn public(line: &str) -> Option<Public> {
     let words: Vec<&str> = line.split_whitespace().collect();
     let (key, until) = match words[..] {
         [METHOD, key] => (key, None),
-        [METHOD, key, "until", until] => (key, Some(day::parse(until)?)),
+        [METHOD, key, "until", until] => (key, Some(stage::day_number(until)?)),
         _ => return None,
     };
     unhex::<32>(key)?;

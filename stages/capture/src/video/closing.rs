@@ -68,9 +68,10 @@ impl Likeness {
             closed: false,
         };
         let profile: Vec<f64> = (1..count).map(|p| self.at(p, 0.2)).collect();
-        let mut sorted = profile.clone();
-        sorted.sort_by(f64::total_cmp);
-        let (floor, usual) = (profile[0], sorted[sorted.len() / 2]);
+        let (floor, usual) = (
+            profile[0],
+            shape::upper_median(&profile).unwrap_or_default(),
+        );
         let height = usual - floor;
         if height <= 0.0 {
             return open;

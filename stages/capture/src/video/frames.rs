@@ -1,5 +1,6 @@
 //! Frames of a video: all at a glance, and some at full size as photos.
 
+use crate::heic::QUALITY;
 use crate::netpbm::Netpbm;
 use crate::video::error::VideoError;
 use crate::video::ffmpeg::Source;
@@ -19,8 +20,6 @@ stage::messages! {
 const LOOKED_AT: u32 = 960;
 /// More frames than these are no turn (structural: a limit of time, ten minutes of 60 frames a second).
 const MOST: usize = 40_000;
-/// Quality of the JPEG files that frames become: 46.6 dB from the frame, on a made turn.
-const QUALITY: u8 = 97;
 /// A file is cut short that has less than this share of the frames that its head names.
 const WHOLE: f64 = 0.98;
 
@@ -180,13 +179,11 @@ fn photo(name: String, picture: Netpbm, time_s: f64) -> Photo {
         data: pixels.collect(),
     };
     Photo {
-        name,
-        width: picture.width as u32,
-        height: picture.height as u32,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
         time_s: Some(time_s),
-        file: rgb_to_jpeg(&rgb, QUALITY).into(),
+        ..Photo::of(
+            name,
+            [picture.width as u32, picture.height as u32],
+            rgb_to_jpeg(&rgb, QUALITY),
+        )
     }
 }

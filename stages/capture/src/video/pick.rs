@@ -1,11 +1,9 @@
 //! Which frames of a turn are taken: one sharp one a step.
 
+use crate::sharpness::blurred;
+
 /// As sharp as the sharpest is what reaches this share of it: of those the one nearest to the step.
 const AS_SHARP: f64 = 0.95;
-/// So many steps to each side give how sharp one should be.
-const AROUND: usize = 3;
-/// A step has no sharp frame where the sharpest is below this share of those around.
-const BLURRED: f64 = 0.45;
 
 /// What was picked.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -50,14 +48,8 @@ pub(crate) fn pick(come: &[Option<f64>], sharp: &[f64], steps: usize, window: f6
             None => picked.empty.push(step),
         }
     }
-    let count = picked.frames.len();
-    let around = |k: usize| {
-        let near = (0..count).filter(|j| k.abs_diff(*j).min(count - k.abs_diff(*j)) <= AROUND);
-        let mut all: Vec<f64> = near.map(|j| sharp[picked.frames[j]]).collect();
-        all.sort_by(f64::total_cmp);
-        all[all.len() / 2]
-    };
-    let blurred = (0..count).filter(|k| sharp[picked.frames[*k]] < BLURRED * around(*k));
+    let taken: Vec<f64> = picked.frames.iter().map(|frame| sharp[*frame]).collect();
+    let blurred = blurred(&taken).into_iter();
     picked.blurred = blurred.map(|k| picked.frames[k]).collect();
     picked
 }

@@ -1,7 +1,7 @@
 //! Where in a video something turns, and by how much from frame to frame, from small pictures of all frames.
 
-/// A pixel moves whose brightness changes by more than this over the frames. \[levels\]
-const MOVES: f32 = 9.0;
+use crate::glance::STILL;
+
 /// So many frames, spread over the video, show what moves (structural: samples).
 const SAMPLED: usize = 150;
 /// Where less changes than this share of the usual, nothing turns.
@@ -69,7 +69,7 @@ pub(crate) fn motion(small: &[&[u8]]) -> Motion {
             let mut seen: Vec<f32> = sampled.clone().map(|f| frames[f][i]).collect();
             seen.sort_by(f32::total_cmp);
             let cut = usize::from(seen.len() > 6);
-            seen[seen.len() - 1 - cut] - seen[cut] > MOVES
+            seen[seen.len() - 1 - cut] - seen[cut] > STILL
         })
         .collect();
     let change = change(&frames, &moves);
@@ -106,9 +106,7 @@ fn change(frames: &[Vec<f32>], moves: &[bool]) -> Vec<f64> {
 
 /// The frames, from first to last, in which something turns; none where nothing does.
 pub(crate) fn stretch(change: &[f64]) -> Option<std::ops::RangeInclusive<usize>> {
-    let mut moving: Vec<f64> = change.iter().copied().filter(|s| *s > 0.0).collect();
-    moving.sort_by(f64::total_cmp);
-    let usual = moving.get(moving.len() / 2)?;
+    let usual = &shape::upper_median(change.iter().filter(|s| **s > 0.0))?;
     let turns: Vec<bool> = steady(change).iter().map(|s| *s > SLOW * usual).collect();
     let pause = ((PAUSE * change.len() as f64) as usize).max(2);
     // Runs with pauses within; the one in which most frames move.
@@ -128,9 +126,8 @@ pub(crate) fn stretch(change: &[f64]) -> Option<std::ops::RangeInclusive<usize>>
 fn steady(all: &[f64]) -> Vec<f64> {
     let near = (all.len() / 100).clamp(1, 15);
     let middle = |i: usize| {
-        let mut around = all[i.saturating_sub(near)..(i + near + 1).min(all.len())].to_vec();
-        around.sort_by(f64::total_cmp);
-        around[around.len() / 2]
+        let around = &all[i.saturating_sub(near)..(i + near + 1).min(all.len())];
+        shape::upper_median(around).unwrap_or_default()
     };
     (0..all.len()).map(middle).collect()
 }

@@ -8,7 +8,8 @@
 
 use super::law::LawEstimate;
 
-/// Of the way from notch to angle, where the thyroid cartilage ends, and its standard deviation.
+/// Of the way from notch to angle, where the thyroid cartilage ends, and its standard deviation: a test holds both against
+/// `models/tables/neck.csv`.
 pub(crate) const SHARE: (f64, f64) = (2.0 / 3.0, 0.08);
 /// Standard deviation of the angle's own place, as a share of the neck's diameter: set by hand at two and a
 /// half rows of the outline that it is read on. Between two captures of made bodies it scatters by less.

@@ -29,7 +29,7 @@ pub enum Cover {
     Outside,
 }
 
-/// People's statures are within so many standard deviations: all but one in two thousand.
+/// People's statures are within so many standard deviations: all but one in two thousand (derived: of a normal distribution).
 pub(crate) const SIZES: f64 = 3.5;
 
 /// What populations give together, as shares of stature.

@@ -165,11 +165,7 @@ mod tests {
         };
         let all: Vec<[f64; 2]> = (0..table.len()).filter(long).filter_map(errors).collect();
         assert!(all.len() > 10);
-        [0, 1].map(|k| {
-            let mut all: Vec<f64> = all.iter().map(|e| e[k]).collect();
-            all.sort_by(f64::total_cmp);
-            all[all.len() / 2]
-        })
+        [0, 1].map(|k| shape::upper_median(all.iter().map(|e| e[k])).unwrap())
     }
 
     #[test]

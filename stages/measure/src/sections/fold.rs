@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 const REACH: usize = 5;
 /// An outline that has turned back by so much is the trunk's by then. \[rad\]
 const BACK: f64 = 25.0 * TAU / 360.0;
-/// The fold begins where the turning that is left to it is no more than this: a web's straight skin. \[rad\]
-const STRAIGHT: f64 = 5.0 * TAU / 360.0;
+/// Turning of an outline that counts as straight, such as a web's skin: a fold begins where no more is left to it. \[rad\]
+pub(super) const STRAIGHT: f64 = 5.0 * TAU / 360.0;
 
 /// Where an arm ends: an index, the outline's way there, away from the arm, how far it has turned until there, and from which
 /// index on the outline is the trunk's.

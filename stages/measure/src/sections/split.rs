@@ -1,7 +1,7 @@
 //! Trunk and arms that are one on the surface, parted in a section: where the trunk's outline stops
 //! turning round toward its side, an arm or the filled fold before it begins.
 
-use super::fold::fold;
+use super::fold::{STRAIGHT, fold};
 use std::f64::consts::TAU;
 
 /// A trunk freed of the arms in its section.
@@ -21,8 +21,6 @@ pub(super) const SAMPLES: usize = 720;
 const REACH: usize = 5;
 /// The trunk has turned at least so far before an arm begins. \[rad\]
 const TURNED: f64 = 25.0 * TAU / 360.0;
-/// Turning of an outline that counts as straight. \[rad\]
-const STRAIGHT: f64 = 5.0 * TAU / 360.0;
 
 /// Points evenly spread along a closed outline.
 pub(crate) fn even(outline: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {

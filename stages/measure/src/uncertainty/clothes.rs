@@ -4,7 +4,7 @@
 use crate::features::body::Body;
 use crate::geometry::slices::{Ring, Slice};
 use nalgebra::Vector3;
-use shape::{GirthId, Landmark, Unit};
+use shape::{GirthId, Landmark, Unit, upper_median};
 use stage::{Field, Message, message};
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -122,8 +122,8 @@ pub(crate) fn hem(body: &Body) -> Option<Hem> {
         inside,
         steps: all,
     } = legs(body)?;
-    let usual = middle(all.clone());
-    let spread = 1.4826 * middle(all.iter().map(|s| (s - usual).abs()).collect());
+    let usual = upper_median(&all).unwrap_or(0.0);
+    let spread = 1.4826 * upper_median(all.iter().map(|s| (s - usual).abs())).unwrap_or(0.0);
     let most = inside.clone().zip(all);
     let (at, most) = most.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let wide = (at - WIDE.1..=at + WIDE.1).filter(|i| inside.contains(i));
@@ -151,7 +151,7 @@ fn step(reaches: &[[f64; WAYS]], at: usize, (beside, passed): (usize, usize)) ->
         });
         both.sum()
     };
-    middle((0..WAYS).map(more).collect())
+    upper_median((0..WAYS).map(more)).unwrap_or(0.0)
 }
 
 /// How far both legs reach together, by direction; `None` where there are none. \[mm\]
@@ -169,12 +169,6 @@ fn reach(slice: &Slice) -> Option<[f64; WAYS]> {
         let n = Vector3::new(c, s, 0.0);
         points().map(|p| n.dot(&p.coords)).fold(f64::MIN, f64::max)
     }))
-}
-
-/// The number in the middle; 0 of none.
-fn middle(mut all: Vec<f64>) -> f64 {
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

@@ -119,8 +119,8 @@ fn regions(denied: &[(Cell, usize, bool)]) -> Vec<Vec<Cell>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Matrix3, Rotation3, Vector3};
-    use shape::{Camera, Intrinsics, Mask, PhotoId, Pose, Scale, View};
+    use nalgebra::Point3;
+    use shape::{Camera, Intrinsics, Mask, PhotoId, Scale, View};
     use std::f64::consts::TAU;
 
     /// How far the cameras are from a post's axis. \[mm\]
@@ -132,17 +132,9 @@ mod tests {
     fn turn(photos: u32, cut: &[u32], left_mm: f64) -> (Cameras, Masks) {
         let camera = |k: u32| {
             let (s, c) = libm::sincos(f64::from(k) * TAU / f64::from(photos));
-            let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
-            let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
-            let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
-            let centre = Vector3::new(AWAY * c, AWAY * s, 500.0);
-            Camera {
-                lens: Intrinsics::simple(240, 320, 900.0),
-                pose: Pose {
-                    rotation,
-                    translation: -(rotation * centre),
-                },
-            }
+            let lens = Intrinsics::simple(240, 320, 900.0);
+            let from = Point3::new(AWAY * c, AWAY * s, 500.0);
+            Camera::looking(lens, from, Point3::new(0.0, 0.0, 500.0))
         };
         let mask = |k: u32| {
             let post = 900.0 * RADIUS / libm::sqrt(AWAY * AWAY - RADIUS * RADIUS);
@@ -166,21 +158,8 @@ mod tests {
                     .collect(),
             }
         };
-        let view = |k: u32| View {
-            camera: camera(k),
-            name: format!("{k:04}.jpg"),
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
-        let cameras = Cameras {
-            views: (0..photos).map(|k| (PhotoId(k), view(k))).collect(),
-            scale: Scale::Given,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        };
+        let view = |k: u32| View::of(format!("{k:04}.jpg"), camera(k));
+        let cameras = Cameras::of((0..photos).map(|k| (PhotoId(k), view(k))), Scale::Given);
         let masks = Masks {
             views: (0..photos).map(|k| (PhotoId(k), mask(k))).collect(),
         };

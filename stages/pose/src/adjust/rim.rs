@@ -146,6 +146,7 @@ pub(crate) fn straightened(eye: &Camera, on_rim: &OnRim, tag: usize) -> Option<[
     let mut beside = [Vector2::zeros(); 2];
     for (side, up) in [0.5, -0.5].into_iter().enumerate() {
         let (a, b) = (see([-0.5, up])?, see([0.5, up])?);
+        // Points of a side (structural: samples).
         const COUNT: i32 = 9;
         for k in 0..COUNT {
             let along = -0.4 + 0.8 * (f64::from(k) + 0.5) / f64::from(COUNT);

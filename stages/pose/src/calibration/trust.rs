@@ -5,7 +5,7 @@ use crate::adjust::lens::LensPrior;
 use crate::adjust::scene::{PointObservation, Scene};
 use crate::calibration::prior::knows_focal;
 use nalgebra::Vector3;
-use shape::{Camera, Cameras, PhotoId, Photos, Pose, View};
+use shape::{Camera, Cameras, PhotoId, Photos, Pose, View, upper_median};
 use stage::{Message, message};
 
 stage::messages! {
@@ -34,9 +34,7 @@ pub(crate) fn median_px(scene: &Scene, observations: &[PointObservation]) -> f64
             libm::hypot(at.x - s.at_px[0], at.y - s.at_px[1])
         })
     };
-    let mut all: Vec<f64> = observations.iter().map(off).collect();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(0.0)
+    upper_median(observations.iter().map(off)).unwrap_or(0.0)
 }
 
 /// A photo's camera as it was found, with how far to trust it.
@@ -132,11 +130,8 @@ const MOVED: f64 = 0.01;
 /// Cameras before which the disk's centre is elsewhere than before most, and by what angle. \[°\]
 /// A fixed camera sees it in one place all the time, be the disk turned as it may.
 fn turned(poses: &[Pose]) -> Vec<(usize, f64)> {
-    let middle = |axis: usize| {
-        let mut all: Vec<f64> = poses.iter().map(|p| p.translation[axis]).collect();
-        all.sort_by(f64::total_cmp);
-        all.get(all.len() / 2).copied().unwrap_or(0.0)
-    };
+    let middle =
+        |axis: usize| upper_median(poses.iter().map(|p| p.translation[axis])).unwrap_or(0.0);
     let usual = Vector3::new(middle(0), middle(1), middle(2));
     let off = |p: &Pose| p.translation.angle(&usual);
     let places = poses.iter().map(off).enumerate();
@@ -159,9 +154,7 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<Me
             libm::atan2(between[(1, 0)], between[(0, 0)]).to_degrees()
         })
         .collect();
-    let mut sorted = turns.clone();
-    sorted.sort_by(f64::total_cmp);
-    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    let usual = upper_median(&turns).unwrap_or(0.0);
     // Who turns by hand turns unevenly, but not back.
     let even = photos.rig.step.is_some();
     let odd = |turn: f64| {
@@ -197,9 +190,7 @@ pub(crate) fn misfits(cameras: &Cameras) -> Vec<Message> {
         .values()
         .filter_map(|v| Some((v.name.as_str(), v.rms_px?)))
         .collect();
-    let mut all: Vec<f64> = known.iter().map(|(_, px)| *px).collect();
-    all.sort_by(f64::total_cmp);
-    let usual = all.get(all.len() / 2).copied().unwrap_or(0.0);
+    let usual = upper_median(known.iter().map(|(_, px)| *px)).unwrap_or(0.0);
     let worse = |(_, px): &&(&str, f64)| *px > 4.0 * usual && *px > 2.0;
     let warning =
         |(name, px): &(&str, f64)| message!(MISFIT, off = *px, usual = usual).of_what(*name);

@@ -16,15 +16,10 @@ const STEEP: f64 = 1.2;
 
 /// Which way up runs on most photos: to the top edge, to one of the sides, or to the bottom edge.
 pub(crate) fn posture(cameras: &Cameras) -> Posture {
-    let mut leans: Vec<f64> = cameras
-        .views
-        .values()
-        .filter_map(|v| lean(&v.camera))
-        .collect();
-    leans.sort_by(f64::total_cmp);
-    match leans.get(leans.len() / 2) {
-        Some(lean) if *lean > 0.75 * std::f64::consts::PI => Posture::UpsideDown,
-        Some(lean) if *lean > 0.25 * std::f64::consts::PI => Posture::OnTheirSide,
+    let leans = cameras.views.values().filter_map(|v| lean(&v.camera));
+    match shape::upper_median(leans) {
+        Some(lean) if lean > 0.75 * std::f64::consts::PI => Posture::UpsideDown,
+        Some(lean) if lean > 0.25 * std::f64::consts::PI => Posture::OnTheirSide,
         _ => Posture::Upright,
     }
 }
@@ -58,23 +53,10 @@ mod tests {
                 translation: Vector3::new(0.0, 0.0, 3000.0),
             };
             let lens = Intrinsics::simple(800, 1200, 1600.0);
-            let view = View {
-                name: format!("{i}.jpg"),
-                camera: Camera { lens, pose },
-                sigma_mm: None,
-                rms_px: None,
-                points: 0,
-            };
+            let view = View::of(format!("{i}.jpg"), Camera { lens, pose });
             (PhotoId(i), view)
         };
-        Cameras {
-            views: (0..6).map(view).collect(),
-            scale: Scale::Mat,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: Vec::new(),
-        }
+        Cameras::of((0..6).map(view), Scale::Mat)
     }
 
     #[test]

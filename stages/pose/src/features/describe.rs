@@ -9,7 +9,7 @@ use shape::Gray;
 const CELLS: usize = 4;
 /// As in Lowe 2004, §6.1.
 const BINS: usize = 8;
-/// Width of a cell in scales, as in Lowe's own program.
+/// Width of a cell in scales, as in Lowe's own program of 2005.
 const CELL_SCALES: f32 = 3.0;
 
 /// Cells with a border of one to each side: what is spread beyond the outer ones falls there (structural).

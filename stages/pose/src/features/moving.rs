@@ -68,9 +68,8 @@ fn regions(smalls: &[Gray]) -> Option<Vec<Image<bool>>> {
     let regions: Vec<Image<bool>> = changes.par_iter().map(whole).collect();
     let share =
         |r: &Image<bool>| r.data.iter().filter(|m| **m).count() as f64 / r.data.len() as f64;
-    let mut shares: Vec<f64> = regions.iter().map(share).collect();
-    shares.sort_by(f64::total_cmp);
-    SHARE.contains(&shares[shares.len() / 2]).then_some(regions)
+    let usual = shape::upper_median(regions.iter().map(share))?;
+    SHARE.contains(&usual).then_some(regions)
 }
 
 /// What is near to each other becomes one, without its holes; single pixels go.

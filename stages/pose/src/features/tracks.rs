@@ -253,23 +253,14 @@ fn joined(views: &[(PhotoId, &Features)], matches: &[Match]) -> Tracks {
         .iter()
         .for_each(|(_, f)| first.push(first[first.len() - 1] + f.points.len()));
     let total = first[views.len()];
-    let mut parent: Vec<usize> = (0..total).collect();
-    fn root(parent: &mut [usize], mut i: usize) -> usize {
-        while parent[i] != i {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        i
-    }
+    let mut parents: Vec<u32> = (0..total as u32).collect();
     for ((v, i), (w, j)) in matches {
-        let (a, b) = (first[*v] + *i as usize, first[*w] + *j as usize);
-        let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-        parent[a.max(b)] = a.min(b);
+        shape::join(&mut parents, first[*v] as u32 + i, first[*w] as u32 + j);
     }
-    let mut groups: BTreeMap<usize, Vec<Observation>> = BTreeMap::new();
+    let mut groups: BTreeMap<u32, Vec<Observation>> = BTreeMap::new();
     for (v, (id, features)) in views.iter().enumerate() {
         for (i, k) in features.points.iter().enumerate() {
-            let at = root(&mut parent, first[v] + i);
+            let at = shape::root(&mut parents, (first[v] + i) as u32);
             let observation = Observation {
                 photo: *id,
                 at_px: [k.x, k.y],

@@ -1,6 +1,6 @@
 //! The edge of a turning disk: its rim is round, so that it projects to one fixed ellipse.
 
-use crate::frame::disk_exact::exact;
+use crate::frame::disk_exact::{NEAR, exact};
 use nalgebra::{Point3, Vector2, Vector3};
 use shape::{Camera, Gray};
 
@@ -24,8 +24,7 @@ const LEAST_STEP: f64 = 0.5;
 /// Points around the edge (structural: samples).
 const AROUND: usize = 96;
 
-/// How far to both sides of an edge to look, and of one that may be between circles tried. \[px\]
-const NEAR: f64 = 1.5;
+/// How far to both sides of an edge to look that may be between circles tried. \[px\]
 const WIDE: f64 = 4.0;
 /// Circles tried along heights and along radii (structural: samples of a search).
 const STEPS: usize = 70;
@@ -61,14 +60,13 @@ pub fn disk_edge(
     let laid = exact(gray, &camera, (found.0, found.1)).filter(within);
     let (height, radius) = laid.unwrap_or((found.0, found.1));
     let tried = tried.iter().filter(|t| may(t.0, t.1));
-    let mut sizes: Vec<f64> = tried.map(|t| t.2).collect();
-    sizes.sort_by(f64::total_cmp);
+    let usual = shape::upper_median(tried.map(|t| t.2))?;
     Some(DiskEdge {
         round: is_all_around(gray, &camera, found),
         height,
         radius,
         contrast: found.2,
-        standout: found.2 / sizes.get(sizes.len() / 2)?.max(LEAST_STEP),
+        standout: found.2 / usual.max(LEAST_STEP),
     })
 }
 

@@ -16,8 +16,8 @@ const LINES: usize = 12;
 const LEAST: usize = 8;
 /// Rounds of circle and profiles (structural: the second hardly changes it).
 const ROUNDS: usize = 3;
-/// How far to both sides it is looked whether it grows brighter. \[px\]
-const NEAR: f64 = 1.5;
+/// How far to both sides of an edge it is looked whether it grows brighter. \[px\]
+pub(super) const NEAR: f64 = 1.5;
 /// Least standard deviation of an arc's edge. \[px\]
 const LEAST_SIGMA: f64 = 0.1;
 
@@ -109,9 +109,8 @@ fn laid(edges: &[Edge]) -> Option<(f64, f64)> {
     let (mut dz, mut dr) = (0.0, 0.0);
     for _ in 0..10 {
         let off = |(off, by_z, by_r): &Edge| off - by_z * dz - by_r * dr;
-        let mut far: Vec<f64> = edges.iter().map(|e| off(e).abs()).collect();
-        far.sort_by(f64::total_cmp);
-        let bound = 4.685 * (far[far.len() / 2] / 0.6745).max(LEAST_SIGMA);
+        let far = shape::upper_median(edges.iter().map(|e| off(e).abs())).unwrap_or_default();
+        let bound = 4.685 * (far / 0.6745).max(LEAST_SIGMA);
         let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
         for edge in edges {
             let u = off(edge) / bound;

@@ -27,15 +27,15 @@ pub(crate) fn on_disk(
     let low = |z: f64| body.is_none_or(|b| z < b.ground + 0.1 * (b.crown - b.ground));
     let mut all = placed(cameras, tags, |_| true, most_px);
     all.retain(|tag| tag.is_level() && low(tag.middle().z));
-    let height = middle(all.iter().map(|tag| tag.middle().z))?;
-    let side = middle(all.iter().map(PlacedTag::side))?;
+    let height = shape::upper_median(all.iter().map(|tag| tag.middle().z))?;
+    let side = shape::upper_median(all.iter().map(PlacedTag::side))?;
     all.retain(|tag| (tag.middle().z - height).abs() < side / 2.0);
     // The second farthest: one that is none, or is placed badly, does not count.
     let mut far: Vec<f64> = all.iter().map(outermost).collect();
     far.sort_by(|a, b| b.total_cmp(a));
     let reach = *far.get(1)?;
-    let height = middle(all.iter().map(|tag| tag.middle().z))?;
-    let pixel = middle(all.iter().map(|tag| tag.pixel))?;
+    let height = shape::upper_median(all.iter().map(|tag| tag.middle().z))?;
+    let pixel = shape::upper_median(all.iter().map(|tag| tag.pixel))?;
     Some(DiskTags {
         height,
         reach,
@@ -47,13 +47,6 @@ pub(crate) fn on_disk(
 fn outermost(tag: &PlacedTag) -> f64 {
     let far = |c: &nalgebra::Point3<f64>| libm::hypot(c.x, c.y);
     tag.corners.iter().map(far).fold(0.0, f64::max) - tag.pixel
-}
-
-/// The middle one of some numbers.
-fn middle(all: impl Iterator<Item = f64>) -> Option<f64> {
-    let mut all: Vec<f64> = all.collect();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied()
 }
 
 #[cfg(test)]

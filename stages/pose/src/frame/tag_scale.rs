@@ -33,8 +33,8 @@ pub(crate) struct Known<'a> {
 /// A side of a printed square seems so much longer or shorter, by exposure and blur. \[px\]
 const BLOOM_PX: f64 = 0.3;
 
-/// No scale is surer than this share: paper and its measuring.
-const LEAST_SIGMA: f64 = 0.001;
+/// No scale is surer than this share: what is printed or measured, and its reading.
+pub(super) const LEAST_SIGMA: f64 = 0.001;
 
 /// How long a unit is. `None` where no tag is seen well enough from two sides.
 pub(crate) fn tag_scale(cameras: &Cameras, tags: &Tags, known: &Known<'_>) -> Option<TagScale> {

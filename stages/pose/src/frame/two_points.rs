@@ -1,5 +1,6 @@
 //! A known length between two points that somebody pointed at in photos: the edge of a sheet on the floor, a rule, a door.
 
+use crate::frame::tag_scale::LEAST_SIGMA;
 use crate::two_view::triangulate::triangulate;
 use nalgebra::{Matrix3, Point3};
 use shape::{Camera, Cameras, Reference};
@@ -18,8 +19,6 @@ const POINTED_PX: f64 = 2.0;
 const MOST_MISS: f64 = 5.0;
 /// A length that is less sure than this share is not used.
 const LEAST_SURE: f64 = 0.2;
-/// No scale is surer than this share: a rule and its reading.
-const LEAST_SIGMA: f64 = 0.001;
 
 /// The length in the cameras' unit.
 #[derive(Debug, Clone, Copy, PartialEq)]

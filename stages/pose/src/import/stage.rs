@@ -187,13 +187,7 @@ fn placed(model: &Model, photos: &Photos, unit: Option<f64>) -> Result<Cameras, 
             lens: lens(found, photo.width, photo.height)?,
             pose,
         };
-        let view = View {
-            name: photo.name.clone(),
-            camera,
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
+        let view = View::of(photo.name.clone(), camera);
         views.push((id, view));
     }
     if views.is_empty() {

@@ -10,7 +10,7 @@ use crate::mat::bloom::outward;
 use crate::mat::layout::mat_for;
 use crate::mat::planar::homography;
 use nalgebra::{Matrix3, Vector2, Vector3};
-use shape::{Mat, Tag, Tags};
+use shape::{Mat, Tag, Tags, upper_median};
 use stage::{Message, message};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
@@ -65,11 +65,6 @@ fn next(tag: &Tag, other: &Tag) -> Option<(f64, f64)> {
     Some((libm::atan2(right.y, right.x), middle.norm()))
 }
 
-fn median(mut all: Vec<f64>) -> f64 {
-    all.sort_by(f64::total_cmp);
-    all[all.len() / 2]
-}
-
 /// The ring that most neighbours agree on; tags that belong to none, such as those of a strip on the rim, take
 /// no part. `None` where no four neighbours give one.
 pub fn ringed(tags: &Tags) -> Option<Ringed> {
@@ -85,8 +80,8 @@ pub fn ringed(tags: &Tags) -> Option<Ringed> {
     // Of each pair of neighbours: the count that it leads to, and the radius.
     let mut votes: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
     for (id, seen) in by_tag.iter().filter(|(_, seen)| seen.len() > 1) {
-        let turn = median(seen.iter().map(|s| s.0).collect());
-        let far = median(seen.iter().map(|s| s.1).collect());
+        let turn = upper_median(seen.iter().map(|s| s.0)).unwrap_or_default();
+        let far = upper_median(seen.iter().map(|s| s.1)).unwrap_or_default();
         let count = TAU / turn;
         if (3.0..100.0).contains(&count) && (count - count.round()).abs() < 0.3 {
             let ring = far / (2.0 * libm::sin(turn / 2.0));
@@ -102,7 +97,7 @@ pub fn ringed(tags: &Tags) -> Option<Ringed> {
     if agreed.len() < 3 || last - first >= count {
         return None;
     }
-    let rough = median(agreed.into_iter().map(|(_, ring)| ring).collect());
+    let rough = upper_median(agreed.into_iter().map(|(_, ring)| ring)).unwrap_or_default();
     let ring = fitted(tags, first, count, rough)?;
     Some(Ringed {
         first_id: first,

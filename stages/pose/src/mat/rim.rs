@@ -9,7 +9,7 @@ use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
 use crate::calibration::params::CalibrateParams;
 use crate::mat::bloom::{adjust_tags, scatter_px};
 use nalgebra::{Point3, Vector2};
-use shape::{Camera, Rim, Tag};
+use shape::{Camera, Rim, Tag, upper_median};
 use stage::{Message, message};
 use std::collections::BTreeMap;
 
@@ -133,14 +133,10 @@ fn middle(eye: &Camera, tag: &Tag, rim: &Rim) -> Option<[f64; 2]> {
 /// The median of heights, and of angles about the first.
 fn medians(all: &[[f64; 2]]) -> [f64; 2] {
     use std::f64::consts::{PI, TAU};
-    let median = |mut v: Vec<f64>| {
-        v.sort_by(f64::total_cmp);
-        v[v.len() / 2]
-    };
     let first = all[0][0];
     let about = |a: &[f64; 2]| (a[0] - first + PI).rem_euclid(TAU) - PI;
     [
-        first + median(all.iter().map(about).collect()),
-        median(all.iter().map(|a| a[1]).collect()),
+        first + upper_median(all.iter().map(about)).unwrap_or_default(),
+        upper_median(all.iter().map(|a| a[1])).unwrap_or_default(),
     ]
 }

@@ -238,9 +238,7 @@ fn pose(lens: &Intrinsics, mat: &Mat, tags: &[Tag]) -> Option<Pose> {
             let at = camera.project(&Point3::new(p[0], p[1], 0.0));
             at.map_or(f64::MAX, |at| libm::hypot(at.x - px[0], at.y - px[1]))
         };
-        let mut all: Vec<f64> = pairs.iter().map(off).collect();
-        all.sort_by(f64::total_cmp);
-        let most = (all[all.len() / 2] * 5.0).max(1.5);
+        let most = (shape::upper_median(pairs.iter().map(off)).unwrap_or_default() * 5.0).max(1.5);
         let before = pairs.len();
         pairs.retain(|pair| off(pair) <= most);
         if pairs.len() == before {

@@ -7,15 +7,13 @@ use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{focals, lens_belief, settings};
 use crate::ring::cameras::Solved;
 use crate::ring::error::TracksError;
-use crate::ring::pairs::chosen;
+use crate::ring::pairs::{LEAST, chosen};
 use crate::ring::trial::{filled, spread_px};
 use crate::two_view::resection::{at_origin, resected, two_views};
 use crate::two_view::triangulate::{Seen, triangulate, triangulated};
 use nalgebra::Point3;
 use shape::{Camera, Intrinsics, PhotoId, Photos, Pose, Tracks};
 
-/// Fewest points that hold a camera.
-const LEAST: usize = 12;
 /// How many pairs are tried as a beginning (structural: the width of a search).
 const BEGINNINGS: usize = 8;
 /// Points further from where they were seen are left out while cameras are added. \[px\]

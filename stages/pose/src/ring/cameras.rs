@@ -9,6 +9,7 @@ use crate::calibration::prior::knows_focal;
 use crate::calibration::trust::{misfits, nudged, view, warnings};
 use crate::frame::circle::{camera_circle, in_ring_frame};
 use crate::ring::error::TracksError;
+use crate::ring::pairs::LEAST;
 use crate::ring::trial::RING_MM;
 use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
 use stage::message;
@@ -30,9 +31,6 @@ pub(crate) struct Solved {
     pub(crate) share: f64,
     pub(crate) prior: LensPrior,
 }
-
-/// Fewest features that hold a camera.
-const LEAST: u32 = 12;
 
 /// The cameras, on a ring about the z axis, and what the user should know of them.
 pub(crate) fn to_cameras(
@@ -101,7 +99,10 @@ pub(crate) fn to_cameras(
 
 /// An error where more than a quarter of the cameras hold on to fewer than [`LEAST`] features.
 fn seen_by_features(cameras: &Cameras) -> Result<(), TracksError> {
-    let few = cameras.views.values().filter(|v| v.points < LEAST);
+    let few = cameras
+        .views
+        .values()
+        .filter(|v| (v.points as usize) < LEAST);
     let adrift: Vec<&str> = few.map(|v| v.name.as_str()).collect();
     let of = cameras.views.values().count();
     if 4 * adrift.len() <= of {
@@ -110,7 +111,7 @@ fn seen_by_features(cameras: &Cameras) -> Result<(), TracksError> {
     Err(TracksError::Adrift {
         few: adrift.len(),
         of,
-        least: LEAST,
+        least: LEAST as u32,
         names: adrift[..adrift.len().min(5)].join(", "),
     })
 }

@@ -6,8 +6,8 @@ use shape::{Observation, Tracks};
 
 /// How far apart in the turn photos are compared.
 const REACH: usize = 3;
-/// Fewest common features of a pair.
-const LEAST: usize = 12;
+/// Fewest features that hold a camera, or that a pair of photos has in common.
+pub(crate) const LEAST: usize = 12;
 /// Features that move less than this belong to what does not turn. \[px\]
 const STILL_PX: f64 = 1.0;
 

@@ -176,9 +176,7 @@ fn tried_out(
         error += cost;
         count += pair.seen.len();
     }
-    let mut known_steps: Vec<f64> = steps.iter().flatten().copied().collect();
-    known_steps.sort_by(f64::total_cmp);
-    let usual = known_steps[known_steps.len() / 2];
+    let usual = shape::upper_median(steps.iter().flatten()).unwrap_or_default();
     let mut angles = vec![0.0; known.photos];
     for (i, step) in steps.iter().enumerate() {
         angles[i + 1] = angles[i] + step.unwrap_or(usual);

@@ -56,9 +56,8 @@ fn line(light: &Light, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<L
     let mut fitted = fitted_line(&points)?;
     for _ in 0..2 {
         let (n, c) = fitted;
-        let mut off: Vec<f64> = points.iter().map(|p| (n.dot(p) - c).abs()).collect();
-        off.sort_by(f64::total_cmp);
-        let most = (off[off.len() / 2] * 3.0).max(0.05);
+        let off = shape::upper_median(points.iter().map(|p| (n.dot(p) - c).abs()));
+        let most = (off? * 3.0).max(0.05);
         points.retain(|p| (n.dot(p) - c).abs() <= most);
         fitted = fitted_line(&points)?;
     }

@@ -86,7 +86,5 @@ pub(crate) fn triangulate(
 
 /// Median of the tracks' residuals. \[px\]
 pub(crate) fn median_residual(seen: &[Seen]) -> f64 {
-    let mut all: Vec<f64> = seen.iter().map(|s| s.rms_px).collect();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(f64::MAX)
+    shape::upper_median(seen.iter().map(|s| s.rms_px)).unwrap_or(f64::MAX)
 }

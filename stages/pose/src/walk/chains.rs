@@ -1,6 +1,6 @@
 //! Matches of pairs of photos joined to points that each photo shows once.
 
-use shape::{Features, Observation, PhotoId, Tracks};
+use shape::{Features, Observation, PhotoId, Tracks, root};
 use std::collections::BTreeMap;
 
 /// What two photos have in common: their places in the list of photos, and pairs of features.
@@ -11,47 +11,38 @@ pub(crate) struct Link {
 
 /// Sets of features, each with the photos that it is on.
 struct Sets {
-    parent: Vec<usize>,
-    photos: BTreeMap<usize, Vec<usize>>,
+    parents: Vec<u32>,
+    photos: BTreeMap<u32, Vec<usize>>,
 }
 
 impl Sets {
-    fn root(&mut self, mut i: usize) -> usize {
-        while self.parent[i] != i {
-            self.parent[i] = self.parent[self.parent[i]];
-            i = self.parent[i];
-        }
-        i
-    }
-
     /// Joins two sets, unless both are on one photo.
-    fn join(&mut self, (a, on_a): (usize, usize), (b, on_b): (usize, usize)) {
-        let (a, b) = (self.root(a), self.root(b));
+    fn join(&mut self, (a, on_a): (u32, usize), (b, on_b): (u32, usize)) {
+        let [a, b] = [a, b].map(|of| root(&mut self.parents, of));
         if a == b {
             return;
         }
-        let photos = |at: usize, on: usize| self.photos.get(&at).cloned().unwrap_or(vec![on]);
+        let photos = |at: u32, on: usize| self.photos.get(&at).cloned().unwrap_or(vec![on]);
         let (mut all, other) = (photos(a, on_a), photos(b, on_b));
         if all.iter().any(|p| other.contains(p)) {
             return;
         }
         all.extend(other);
-        let (low, high) = (a.min(b), a.max(b));
-        self.parent[high] = low;
-        self.photos.remove(&high);
-        self.photos.insert(low, all);
+        shape::join(&mut self.parents, a, b);
+        self.photos.remove(&a.max(b));
+        self.photos.insert(a.min(b), all);
     }
 }
 
 /// Joins matches to points, those of the pairs with most matches first: a match that would put two
 /// features of one photo into one point is wrong, or an earlier one was.
 pub(crate) fn chained(views: &[(PhotoId, &Features)], links: &[Link]) -> Tracks {
-    let mut first = vec![0usize];
+    let mut first = vec![0u32];
     for (_, features) in views {
-        first.push(first[first.len() - 1] + features.points.len());
+        first.push(first[first.len() - 1] + features.points.len() as u32);
     }
     let mut sets = Sets {
-        parent: (0..first[views.len()]).collect(),
+        parents: (0..first[views.len()]).collect(),
         photos: BTreeMap::new(),
     };
     let mut order: Vec<&Link> = links.iter().collect();
@@ -59,13 +50,13 @@ pub(crate) fn chained(views: &[(PhotoId, &Features)], links: &[Link]) -> Tracks 
     for link in order {
         let (v, w) = link.photos;
         for (i, j) in &link.matches {
-            sets.join((first[v] + *i as usize, v), (first[w] + *j as usize, w));
+            sets.join((first[v] + i, v), (first[w] + j, w));
         }
     }
-    let mut groups: BTreeMap<usize, Vec<Observation>> = BTreeMap::new();
+    let mut groups: BTreeMap<u32, Vec<Observation>> = BTreeMap::new();
     for (v, (id, features)) in views.iter().enumerate() {
         for (i, k) in features.points.iter().enumerate() {
-            let root = sets.root(first[v] + i);
+            let root = root(&mut sets.parents, first[v] + i as u32);
             if sets.photos.contains_key(&root) {
                 groups.entry(root).or_default().push(Observation {
                     photo: *id,

@@ -64,10 +64,8 @@ pub(crate) fn finished(
 
 /// Standard deviation of an observation along one axis, by the median. \[px\]
 fn sigma_px(model: &Model) -> f64 {
-    let mut all: Vec<f64> = offs(model).into_iter().map(|(_, off)| off).collect();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2)
-        .map_or(1.0, |off| off.min(100.0) / 1.18)
+    let middle = shape::upper_median(offs(model).into_iter().map(|(_, off)| off));
+    middle.map_or(1.0, |off| off.min(100.0) / 1.18)
 }
 
 /// The model with its shots in another order.

@@ -78,10 +78,3 @@ pub(crate) fn floor(
     let holds = on >= FEW && share(on) >= SHARE[0] && share(under) <= SHARE[1];
     (holds && normal.angle(up) <= TILT).then(|| (normal, origin + normal * at))
 }
-
-/// The middle one.
-pub(crate) fn median(all: &[f64]) -> f64 {
-    let mut all = all.to_vec();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(0.0)
-}

@@ -1,8 +1,8 @@
 //! The frame of a walk: the origin where all cameras look, z up.
 
-use crate::walk::floor::{floor, median};
+use crate::walk::floor::floor;
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
-use shape::{Camera, Cameras};
+use shape::{Camera, Cameras, upper_median};
 
 /// Where cameras look, and what is up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +34,7 @@ pub fn world(cameras: &[Camera], points: &[Point3<f64>]) -> Option<World> {
         .iter()
         .map(|c| (c.centre() - origin).norm())
         .collect();
-    let floor = floor(points, &origin, &tilted, median(&far));
+    let floor = floor(points, &origin, &tilted, upper_median(&far).unwrap_or(0.0));
     let up = floor.map_or(tilted, |f| f.0);
     let out = |c: &Camera| {
         let d = c.centre() - origin;
@@ -72,7 +72,7 @@ fn fixation(cameras: &[Camera]) -> Option<Point3<f64>> {
         }
         at = normal.try_inverse()? * right;
         let off: Vec<f64> = all.iter().map(|(m, c)| (m * (at - c)).norm()).collect();
-        let usual = median(&off).max(1e-12);
+        let usual = upper_median(&off).unwrap_or(0.0).max(1e-12);
         weights = off
             .iter()
             .map(|o| 1.0 / (1.0 + (o / usual / 2.0).powi(2)))
@@ -125,7 +125,7 @@ fn upward(cameras: &[Camera]) -> Option<Vector3<f64>> {
         normal += Matrix3::identity() * own_weight;
         up = (normal.try_inverse()? * own * own_weight).try_normalize(1e-12)?;
         let off: Vec<f64> = level.iter().map(|x| x.dot(&up).abs()).collect();
-        let usual = median(&off).max(0.01);
+        let usual = upper_median(&off).unwrap_or(0.0).max(0.01);
         let weight = |o: &f64| 1.0 / (1.0 + (o / usual / 2.0).powi(2));
         weights = off.iter().map(weight).collect();
     }

@@ -9,7 +9,7 @@ use nalgebra::{Point3, Vector3};
 
 /// Numbers that are worked on side by side (structural: speed alone).
 pub const LANES: usize = 8;
-/// Most points of a patch.
+/// Most points of a patch (structural: the length of arrays, whole lanes).
 pub const MOST_POINTS: usize = 128;
 
 /// Most pictures that are compared at a vertex.

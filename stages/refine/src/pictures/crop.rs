@@ -94,6 +94,7 @@ impl Crop {
 
     /// The extent of where a part's border is seen by another lens: least and greatest column and row.
     fn carried(&self, seen: impl Fn([f64; 2]) -> [f64; 2]) -> Extent {
+        // Points of a side (structural: samples).
         const POINTS: usize = 16;
         let mut extent = Extent {
             least: [f64::INFINITY; 2],

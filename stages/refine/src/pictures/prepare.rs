@@ -141,16 +141,12 @@ pub fn undeform(pictures: &mut [Picture], photos: &Photos, cameras: &Cameras, wa
 /// What a pixel covers on the mesh, the median over vertices and pictures. \[mm\]
 pub fn footprint(mesh: &Mesh, pictures: &[Picture]) -> f64 {
     let stride = (mesh.positions.len() / 500).max(1);
-    let mut all: Vec<f64> = (0..mesh.positions.len())
-        .step_by(stride)
-        .flat_map(|v| {
-            pictures
-                .iter()
-                .filter_map(move |p| p.project(&mesh.point(v as u32)).map(|x| p.footprint(x.1)))
-        })
-        .collect();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(1.0)
+    let all = (0..mesh.positions.len()).step_by(stride).flat_map(|v| {
+        pictures
+            .iter()
+            .filter_map(move |p| p.project(&mesh.point(v as u32)).map(|x| p.footprint(x.1)))
+    });
+    shape::upper_median(all).unwrap_or(1.0)
 }
 
 #[cfg(test)]

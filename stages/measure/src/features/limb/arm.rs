@@ -3,7 +3,7 @@
 
 use crate::features::body::Body;
 use crate::features::limb::arm_seen::ArmSeen;
-use crate::features::limb::bend::{Line, hinge, line};
+use crate::features::limb::bend::{BENT, Line, hinge, line};
 use crate::features::limb::cuts::Cuts;
 use crate::features::limb::follow::Knot;
 use crate::features::limb::one::Limb;
@@ -30,8 +30,6 @@ const HANGS: f64 = 0.6;
 /// Where the line leaves the surface above the armpit that shows, as shares of stature: what is outside
 /// is neck, or not the shoulder.
 const SHOULDER: Range<f64> = 0.015..0.16;
-/// A bend of so much is a joint. \[rad\]
-const BENT: f64 = 12.0 * std::f64::consts::PI / 180.0;
 /// Where girths of the arm are read, above the wrist, as shares of stature.
 const TAPES: [f64; 5] = [0.04, 0.08, 0.12, 0.16, 0.18];
 

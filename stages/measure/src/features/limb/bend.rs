@@ -3,6 +3,9 @@
 use crate::features::limb::follow::Knot;
 use nalgebra::{Matrix3, Point3, Vector3};
 
+/// A bend of so much is a joint: an elbow, a knee. \[rad\]
+pub(super) const BENT: f64 = 12.0 * std::f64::consts::PI / 180.0;
+
 /// A straight line through middles of sections.
 #[derive(Debug, Clone, Copy)]
 pub struct Line {

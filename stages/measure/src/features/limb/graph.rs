@@ -4,7 +4,7 @@
 //! hardly grows with the number of faces, and sheets that only come near each other stay apart.
 
 use nalgebra::{Point3, Vector3};
-use shape::Mesh;
+use shape::{Mesh, join, root};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
@@ -24,15 +24,6 @@ pub(crate) fn cell_of(p: Point3<f64>, low: Point3<f64>, cell: f64) -> [u32; 3] {
     [off.x, off.y, off.z].map(|x| (x / cell).max(0.0) as u32)
 }
 
-/// The root of a vertex, halving ways to it.
-fn root(up: &mut [u32], mut v: u32) -> u32 {
-    while up[v as usize] != v {
-        up[v as usize] = up[up[v as usize] as usize];
-        v = up[v as usize];
-    }
-    v
-}
-
 impl Graph {
     /// Of a mesh, with cells of a size. \[mm\]
     pub(crate) fn new(mesh: &Mesh, cell: f64) -> Graph {
@@ -45,9 +36,7 @@ impl Graph {
         let edges = |f: &[u32; 3]| [(f[0], f[1]), (f[1], f[2]), (f[2], f[0])];
         for (a, b) in mesh.faces.iter().flat_map(edges) {
             if cells[a as usize] == cells[b as usize] {
-                let (a, b) = (root(&mut up, a), root(&mut up, b));
-                // The lower name stays, whatever the order of the faces.
-                up[a.max(b) as usize] = a.min(b);
+                join(&mut up, a, b);
             }
         }
         let mut used = vec![false; count];

@@ -1,7 +1,7 @@
 //! Joints of a leg along its line: ankle, knee, hip.
 
 use crate::features::limb::arm::narrowest;
-use crate::features::limb::bend::{Constraint, bend, line, places};
+use crate::features::limb::bend::{BENT, Constraint, bend, line, places};
 use crate::features::limb::one::{Joint, Limb};
 
 /// Height of the middle of the kneecap against the crotch's, of 6068 men and women (ANSUR II, 2012).
@@ -14,8 +14,6 @@ const CROTCH: (f64, f64) = (0.481, 0.0145);
 const HIP: (f64, f64) = (1.07, 0.024);
 /// How sure the crotch is where a leg's line ends, as a share of stature.
 const END: f64 = 0.008;
-/// A bend of so much tells of the knee. \[rad\]
-const BENT: f64 = 12.0 * std::f64::consts::PI / 180.0;
 /// How sure a knee is by a bend of a right angle, as a share of stature.
 const BEND: f64 = 0.005;
 /// An ankle is at most so high, as a share of stature: what is higher is on its toes, or in boots,

@@ -28,7 +28,7 @@ pub(crate) fn tips(graph: &Graph, way: &[f64], least: f64) -> Vec<Tip> {
         let (x, y) = (way[*a as usize], way[*b as usize]);
         y.total_cmp(&x).then(a.cmp(b))
     });
-    // The land of each node, named by its peak; NONE for what is lower still.
+    // The land of each node, named by its peak; NONE for what is lower still (structural: no node).
     const NONE: u32 = u32::MAX;
     let mut land = vec![NONE; way.len()];
     let mut up: Vec<u32> = (0..way.len() as u32).collect();
@@ -39,7 +39,7 @@ pub(crate) fn tips(graph: &Graph, way: &[f64], least: f64) -> Vec<Tip> {
             .links(n)
             .iter()
             .filter(|m| land[**m as usize] != NONE)
-            .map(|m| find(&mut up, land[*m as usize]))
+            .map(|m| shape::root(&mut up, land[*m as usize]))
             .collect();
         around.sort_by(|a, b| way[*b as usize].total_cmp(&way[*a as usize]).then(a.cmp(b)));
         around.dedup();
@@ -74,14 +74,6 @@ pub(crate) fn tips(graph: &Graph, way: &[f64], least: f64) -> Vec<Tip> {
         y.total_cmp(&x).then(a.node.cmp(&b.node))
     });
     found
-}
-
-fn find(up: &mut [u32], mut n: u32) -> u32 {
-    while up[n as usize] != n {
-        up[n as usize] = up[up[n as usize] as usize];
-        n = up[n as usize];
-    }
-    n
 }
 
 /// Which nodes belong to an extremity: all about it that are beyond its meeting.

@@ -14,17 +14,14 @@ pub(crate) const MAT: Mat = Mat {
 
 /// A camera at a place, looking at the floor before it. \[units\]
 fn camera(centre: Point3<f64>, roll: f64) -> Camera {
-    let to = (Point3::new(0.0, 0.0, 60.0) - centre).normalize();
-    let right = to.cross(&Vector3::z()).normalize();
-    let down = to.cross(&right);
-    let rows = nalgebra::Matrix3::from_rows(&[right.transpose(), down.transpose(), to.transpose()]);
-    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), roll)
-        * Rotation3::from_matrix_unchecked(rows);
+    let lens = Intrinsics::simple(1200, 1600, 1500.0);
+    let level = Camera::looking(lens, centre, Point3::new(0.0, 0.0, 60.0)).pose;
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), roll);
     Camera {
-        lens: Intrinsics::simple(1200, 1600, 1500.0),
+        lens,
         pose: Pose {
-            rotation: turn,
-            translation: -(turn * centre.coords),
+            rotation: turn * level.rotation,
+            translation: turn * level.translation,
         },
     }
 }
@@ -37,23 +34,10 @@ pub(crate) fn walk() -> Cameras {
         let high = 300.0 + 80.0 * f64::from(i % 3);
         let at = Point3::new(far * libm::cos(angle), far * libm::sin(angle), high);
         let camera = camera(at, 0.1 * f64::from(i % 2));
-        let view = View {
-            name: format!("{i}.jpg"),
-            camera,
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
+        let view = View::of(format!("{i}.jpg"), camera);
         (PhotoId(i), view)
     };
-    Cameras {
-        views: (0..9).map(view).collect(),
-        scale: Scale::Nothing,
-        scale_sigma: None,
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: Vec::new(),
-    }
+    Cameras::of((0..9).map(view), Scale::Nothing)
 }
 
 /// What the photos show of the mat, which is at a height; sides seem farther out. \[px\]
