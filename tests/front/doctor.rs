@@ -37,16 +37,7 @@ fn what_is_odd_is_reported_by_photo_and_what_can_be_measured() {
     // One photo blurred, one brighter.
     let spoil = |name: &str, how: &dyn Fn(&mut shape::Rgb)| {
         let path = place.path("turn").join(name);
-        let photo = shape::Photo {
-            name: name.into(),
-            width: 800,
-            height: 1200,
-            orientation: 1,
-            focal_35mm: None,
-            device: String::new(),
-            time_s: None,
-            file: std::fs::read(&path).unwrap().into(),
-        };
+        let photo = shape::Photo::of(name, [800, 1200], std::fs::read(&path).unwrap());
         let mut pixels = photo.decode().unwrap();
         how(&mut pixels);
         std::fs::write(path, shape::rgb_to_jpeg(&pixels, 92)).unwrap();

@@ -4,8 +4,8 @@
 //! are printed beside the clock's, for machines that have other work.
 
 use hull::{Carve, CarveInput, CarveParams};
-use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};
-use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Pose, Scale, View};
+use nalgebra::{Point2, Point3, Vector3};
+use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Scale, View};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 use std::time::Instant;
@@ -21,17 +21,9 @@ const BONES: [([f64; 3], [f64; 3], f64); 5] = [
 
 fn camera(angle: f64) -> Camera {
     let (s, c) = libm::sincos(angle);
-    let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
-    let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
-    let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
-    let centre = Vector3::new(3200.0 * c, 3200.0 * s, 1000.0);
-    Camera {
-        lens: Intrinsics::simple(1600, 2400, 3300.0),
-        pose: Pose {
-            rotation,
-            translation: -(rotation * centre),
-        },
-    }
+    let lens = Intrinsics::simple(1600, 2400, 3300.0);
+    let from = Point3::new(3200.0 * c, 3200.0 * s, 1000.0);
+    Camera::looking(lens, from, Point3::new(0.0, 0.0, 1000.0))
 }
 
 /// Distance of a ray to a bone, less its thickness. \[mm\]
@@ -58,22 +50,9 @@ fn computed() -> f64 {
 }
 
 fn main() {
-    let mut cameras = Cameras {
-        views: Default::default(),
-        scale: Scale::Given,
-        scale_sigma: None,
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: vec![],
-    };
+    let mut cameras = Cameras::of([], Scale::Given);
     let all: Vec<Camera> = (0..18).map(|k| camera(f64::from(k) * 0.349)).collect();
-    let view = |c: &Camera| View {
-        name: String::new(),
-        camera: *c,
-        sigma_mm: None,
-        rms_px: None,
-        points: 0,
-    };
+    let view = |c: &Camera| View::of(String::new(), *c);
     cameras.views = all
         .iter()
         .enumerate()

@@ -43,7 +43,7 @@ pub fn mesh_to_views(mesh: &Mesh) -> Rgb {
                 true => [230, 40, 30],
                 false => SKIN.map(|s| (s * light) as u8),
             };
-            fill_triangle(corners, &mut near, &mut |x, y| {
+            fill_triangle(corners, &mut near, &mut |x, y, _| {
                 *picture.at_mut(k * wide + x, y) = color;
             });
         }

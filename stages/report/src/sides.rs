@@ -87,7 +87,7 @@ fn drawn(body: &Mesh, side: &Seen, [scale, top]: [f64; 2], wide: usize) -> Rgb {
             let x = wide as f64 / 2.0 + p.dot(&side.right) * scale;
             [x, MARGIN as f64 + (top - p.z) * scale, p.dot(&side.eye)]
         });
-        fill_triangle(corners, &mut near, &mut |x, y| {
+        fill_triangle(corners, &mut near, &mut |x, y, _| {
             *picture.at_mut(x, y) = color;
         });
     }

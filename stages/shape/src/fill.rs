@@ -2,12 +2,13 @@
 
 use crate::Image;
 
-/// Calls `at` for the pixels of a triangle that are nearer than what was there, and keeps how near they are.
+/// Calls `at` for the pixels of a triangle that are nearer than what was there, with the corners' shares, and keeps how near
+/// they are.
 /// Corners are (x, y, nearness): pixels, and a length that grows towards the eye.
 pub fn fill_triangle(
     corners: [[f64; 3]; 3],
     near: &mut Image<f64>,
-    at: &mut dyn FnMut(usize, usize),
+    at: &mut dyn FnMut(usize, usize, [f64; 3]),
 ) {
     let [a, b, c] = corners;
     let cross = |p: [f64; 3], q: [f64; 3], r: [f64; 2]| {
@@ -33,7 +34,7 @@ pub fn fill_triangle(
             let depth = (0..3).map(|i| share[i] * corners[i][2]).sum();
             if depth > near.at(x, y) {
                 *near.at_mut(x, y) = depth;
-                at(x, y);
+                at(x, y, share);
             }
         }
     }
@@ -49,7 +50,7 @@ mod tests {
         let mut draw = |far: f64, half: f64| {
             let mut count = 0;
             let corners = [[0.0, 0.0, far], [half, 0.0, far], [0.0, half, far]];
-            fill_triangle(corners, &mut near, &mut |_, _| count += 1);
+            fill_triangle(corners, &mut near, &mut |_, _, _| count += 1);
             count
         };
         assert_eq!(draw(5.0, 4.0), 15, "of so many pixels");

@@ -1,7 +1,7 @@
 //! A surface as a camera sees it: triangles into a buffer of depths, lit from the camera.
 
 use nalgebra::{Point2, Vector3};
-use shape::{Camera, Image, Mesh, Rgb};
+use shape::{Camera, Image, Mesh, Rgb, fill_triangle};
 
 /// What is behind the surface. \[sRGB\]
 const BACK: [u8; 3] = [233, 234, 236];
@@ -15,15 +15,13 @@ pub(crate) fn render(mesh: &Mesh, camera: &Camera, color: &dyn Fn(usize) -> [f32
     let seen: Vec<Option<(Point2<f64>, f64)>> = (0..mesh.positions.len() as u32)
         .map(|v| camera.project_with_depth(&mesh.point(v)))
         .collect();
-    let normals = normals(mesh);
     let eye = camera.centre();
-    let light: Vec<f64> = (0..mesh.positions.len())
-        .map(|v| {
-            let to_eye = (eye - mesh.point(v as u32)).normalize();
-            let n = normals[v].try_normalize(0.0).unwrap_or(to_eye);
-            0.3 + 0.7 * n.dot(&to_eye).abs()
-        })
-        .collect();
+    let lit_by = |(v, n): (u32, Vector3<f64>)| {
+        let to_eye = (eye - mesh.point(v)).normalize();
+        let n = if n == Vector3::zeros() { to_eye } else { n };
+        0.3 + 0.7 * n.dot(&to_eye).abs()
+    };
+    let light: Vec<f64> = (0..).zip(mesh.normals()).map(lit_by).collect();
     for face in &mesh.faces {
         let [Some(a), Some(b), Some(c)] = face.map(|v| seen[v as usize]) else {
             continue;
@@ -32,58 +30,14 @@ pub(crate) fn render(mesh: &Mesh, camera: &Camera, color: &dyn Fn(usize) -> [f32
             let l = light[v as usize] as f32;
             color(v as usize).map(|x| x * l)
         });
-        fill([a, b, c], (width, height), &mut |x, y, share, near| {
-            // Inverse depth is linear on the picture.
-            if near > nearest.at(x, y) {
-                *nearest.at_mut(x, y) = near;
-                let mix = |k: usize| (0..3).map(|i| lit[i][k] * share[i] as f32).sum::<f32>();
-                *picture.at_mut(x, y) = [0, 1, 2].map(|k| (mix(k) * 255.0).clamp(0.0, 255.0) as u8);
-            }
+        // Inverse depth is linear on the picture.
+        let corners = [a, b, c].map(|(p, depth)| [p.x, p.y, 1.0 / depth]);
+        fill_triangle(corners, &mut nearest, &mut |x, y, share| {
+            let mix = |k: usize| (0..3).map(|i| lit[i][k] * share[i] as f32).sum::<f32>();
+            *picture.at_mut(x, y) = [0, 1, 2].map(|k| (mix(k) * 255.0).clamp(0.0, 255.0) as u8);
         });
     }
     picture
-}
-
-/// Sums of the area vectors around each vertex.
-fn normals(mesh: &Mesh) -> Vec<Vector3<f64>> {
-    let mut normals = vec![Vector3::zeros(); mesh.positions.len()];
-    for (f, face) in mesh.faces.iter().enumerate() {
-        let n = mesh.area_vector(f);
-        face.iter().for_each(|v| normals[*v as usize] += n);
-    }
-    normals
-}
-
-/// Calls `at` for each pixel whose centre is in a triangle: its place, the shares of the
-/// corners, inverse depth.
-fn fill(
-    corners: [(Point2<f64>, f64); 3],
-    (width, height): (usize, usize),
-    at: &mut dyn FnMut(usize, usize, [f64; 3], f64),
-) {
-    let [a, b, c] = corners.map(|(p, _)| p);
-    let cross = |p: Point2<f64>, q: Point2<f64>, r: Point2<f64>| {
-        (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
-    };
-    let whole = cross(a, b, c);
-    if whole == 0.0 || !whole.is_finite() || corners.iter().any(|(_, z)| *z <= 0.0) {
-        return;
-    }
-    let span = |values: [f64; 3], size: usize| {
-        let lo = values.into_iter().fold(f64::MAX, f64::min).ceil().max(0.0);
-        let hi = values.into_iter().fold(f64::MIN, f64::max).floor();
-        lo as usize..(hi.min(size as f64 - 1.0) + 1.0).max(0.0) as usize
-    };
-    for y in span([a.y, b.y, c.y], height) {
-        for x in span([a.x, b.x, c.x], width) {
-            let p = Point2::new(x as f64, y as f64);
-            let share = [cross(b, c, p), cross(c, a, p), cross(a, b, p)].map(|s| s / whole);
-            if share.iter().all(|s| *s >= 0.0) {
-                let near = (0..3).map(|i| share[i] / corners[i].1).sum();
-                at(x, y, share, near);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

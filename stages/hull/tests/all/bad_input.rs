@@ -1,8 +1,8 @@
 //! What carving answers to impossible masks, cameras and cells: a sentence, never a panic.
 
 use hull::{Carve, CarveInput, CarveParams};
-use nalgebra::{Matrix3, Rotation3, Vector3};
-use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Pose, Scale, View};
+use nalgebra::Point3;
+use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Scale, View};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -10,40 +10,15 @@ use std::sync::Arc;
 fn turn(away: bool) -> (Masks, Cameras) {
     let one = |k: u32| {
         let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / 8.0);
-        let turned = if away { -1.0 } else { 1.0 };
-        let forward = Vector3::new(-c, -s, 0.0) * turned;
-        let right = Vector3::new(-s, c, 0.0) * turned;
-        let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
-        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
-        let centre = Vector3::new(2000.0 * c, 2000.0 * s, 500.0);
-        let pose = Pose {
-            rotation,
-            translation: -(rotation * centre),
-        };
-        let camera = Camera {
-            lens: Intrinsics::simple(80, 120, 150.0),
-            pose,
-        };
+        let lens = Intrinsics::simple(80, 120, 150.0);
+        let from = Point3::new(2000.0 * c, 2000.0 * s, 500.0);
+        let to = if away { 2.0 } else { 0.0 };
+        let at = Point3::new(to * from.x, to * from.y, 500.0);
+        let camera = Camera::looking(lens, from, at);
         let name = format!("{k:04}.jpg");
-        (
-            PhotoId(k),
-            View {
-                name,
-                camera,
-                sigma_mm: None,
-                rms_px: None,
-                points: 0,
-            },
-        )
+        (PhotoId(k), View::of(name, camera))
     };
-    let cameras = Cameras {
-        views: (0..8).map(one).collect(),
-        scale: Scale::Given,
-        scale_sigma: None,
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: vec![],
-    };
+    let cameras = Cameras::of((0..8).map(one), Scale::Given);
     let mut mask = Mask::filled(80, 120, 0);
     for y in 20..90 {
         (30..50).for_each(|x| *mask.at_mut(x, y) = 255);

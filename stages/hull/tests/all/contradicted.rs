@@ -1,8 +1,8 @@
 //! A mask that leaves out body which all other photos show is named; gaps that few photos see are not.
 
 use hull::{Carve, CarveInput, CarveParams};
-use nalgebra::{Matrix3, Point2, Rotation3, Vector3};
-use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Pose, Scale, View};
+use nalgebra::{Point2, Point3, Vector3};
+use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Scale, View};
 use stage::{Ctx, Host, Metric, Stage};
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex};
@@ -16,17 +16,9 @@ const FRONT: u32 = 4;
 /// A camera level with the body's middle; photo 4 looks along y.
 fn camera(k: u32) -> Camera {
     let (s, c) = libm::sincos((f64::from(k) + 0.5) * TAU / 18.0);
-    let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
-    let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
-    let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
-    let centre = Vector3::new(AWAY * c, AWAY * s, 800.0);
-    Camera {
-        lens: Intrinsics::simple(WIDE as u32, TALL as u32, 440.0),
-        pose: Pose {
-            rotation,
-            translation: -(rotation * centre),
-        },
-    }
+    let lens = Intrinsics::simple(WIDE as u32, TALL as u32, 440.0);
+    let from = Point3::new(AWAY * c, AWAY * s, 800.0);
+    Camera::looking(lens, from, Point3::new(0.0, 0.0, 800.0))
 }
 
 /// A trunk on two legs, 8 mm apart below the crotch and more from there down.
@@ -81,13 +73,7 @@ fn carved(
     contradicted_pct: f64,
     edit: impl Fn(u32, &mut Mask),
 ) -> (Vec<String>, Option<f64>) {
-    let view = |k: u32| View {
-        name: format!("{k:04}.jpg"),
-        camera: camera(k),
-        sigma_mm: None,
-        rms_px: None,
-        points: 0,
-    };
+    let view = |k: u32| View::of(format!("{k:04}.jpg"), camera(k));
     let mask = |k: u32| {
         let mut mask = body(&camera(k));
         edit(k, &mut mask);
@@ -97,14 +83,10 @@ fn carved(
         masks: Arc::new(Masks {
             views: photos.clone().map(|k| (PhotoId(k), mask(k))).collect(),
         }),
-        cameras: Arc::new(Cameras {
-            views: photos.map(|k| (PhotoId(k), view(k))).collect(),
-            scale: Scale::Given,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        }),
+        cameras: Arc::new(Cameras::of(
+            photos.map(|k| (PhotoId(k), view(k))),
+            Scale::Given,
+        )),
     };
     let params = CarveParams {
         voxel_mm: 12.0,

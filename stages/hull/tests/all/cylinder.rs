@@ -2,8 +2,8 @@
 //! tangents form, and the circle's as views are many.
 
 use hull::{Carve, CarveInput, CarveParams};
-use nalgebra::{Point2, Point3, Rotation3, Vector3};
-use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Pose, Scale, View};
+use nalgebra::{Point2, Point3};
+use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Scale, View};
 use stage::{Ctx, Stage};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -15,19 +15,8 @@ const AWAY: f64 = 2500.0;
 fn camera(angle: f64) -> Camera {
     let lens = Intrinsics::simple(400, 60, 900.0);
     let (s, c) = libm::sincos(angle);
-    let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
-    let down = forward.cross(&right);
-    let rows =
-        nalgebra::Matrix3::from_rows(&[right.transpose(), down.transpose(), forward.transpose()]);
-    let rotation = Rotation3::from_matrix_unchecked(rows);
-    let centre = Vector3::new(AWAY * c, AWAY * s, 80.0);
-    Camera {
-        lens,
-        pose: Pose {
-            rotation,
-            translation: -(rotation * centre),
-        },
-    }
+    let from = Point3::new(AWAY * c, AWAY * s, 80.0);
+    Camera::looking(lens, from, Point3::new(0.0, 0.0, 80.0))
 }
 
 /// How much of each pixel an upright cylinder around the axis covers, by the distance of its rays.
@@ -50,25 +39,11 @@ fn carved(views: usize, consensus: f64, edit: impl Fn(usize, &mut Mask)) -> shap
         .map(|k| camera(k as f64 * TAU / views as f64))
         .collect();
     let id = |k: usize| PhotoId(k as u32);
-    let view = |camera: &Camera| View {
-        name: String::new(),
-        camera: *camera,
-        sigma_mm: None,
-        rms_px: None,
-        points: 0,
-    };
-    let cameras = Cameras {
-        views: all
-            .iter()
-            .enumerate()
-            .map(|(k, c)| (id(k), view(c)))
-            .collect(),
-        scale: Scale::Given,
-        scale_sigma: None,
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: vec![],
-    };
+    let view = |camera: &Camera| View::of(String::new(), *camera);
+    let cameras = Cameras::of(
+        all.iter().enumerate().map(|(k, c)| (id(k), view(c))),
+        Scale::Given,
+    );
     let mask = |(k, c): (usize, &Camera)| {
         let mut mask = silhouette(c);
         edit(k, &mut mask);

@@ -4,11 +4,9 @@
 use crate::made;
 
 use made::{built, measured, meshed};
-use measure::{GirthInput, GirthParams, Measure};
+use measure::GirthParams;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Girths, Landmarks, Solid, SolidPart};
-use stage::{Ctx, Stage};
-use std::sync::Arc;
 use synth::{bounds, contour, length, taut};
 
 /// On which side of a body so high a part is an arm's; 0 if it is none.
@@ -87,18 +85,7 @@ fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
         points: some.map(|p| p.map(f64::from).to_vec()).collect(),
         ..Default::default()
     };
-    let cut = Arc::new(cut);
-    let input = GirthInput {
-        features: made::features(&cut, None),
-        mesh: cut,
-        landmarks: Arc::new(Landmarks::default()),
-        cameras: None,
-        photos: None,
-        masks: None,
-        person: None,
-        lost_parts: None,
-    };
-    let girths = Measure::run(&params, input, &Ctx::alone()).unwrap();
+    let girths = made::Given::of(&cut).girths(&Landmarks::default(), &params);
     let picked = girths.get("PICKED").unwrap();
     assert!((picked.tape_mm / waist.tape_mm - 1.0).abs() < 0.003);
     let [low, high] = picked.interval_mm.unwrap();

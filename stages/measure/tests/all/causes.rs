@@ -2,14 +2,12 @@
 
 use crate::made;
 
-use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::Point3;
 use shape::{
     BodyPart, Camera, Cameras, Girths, Intrinsics, LostParts, Mask, Masks, Mesh, Missing, Person,
-    PhotoId, Photos, Pose, Refusal, Rig, Scale, View,
+    PhotoId, Photos, Refusal, Rig, Scale, View,
 };
-use stage::{Ctx, Host, Stage};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 const PHOTOS: u32 = 12;
 
@@ -17,33 +15,15 @@ const PHOTOS: u32 = 12;
 fn cameras() -> Cameras {
     let view = |k: u32| {
         let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / f64::from(PHOTOS));
-        let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
-        let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
-        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
-        let centre = Vector3::new(4000.0 * c, 4000.0 * s, 850.0);
-        let camera = Camera {
-            lens: Intrinsics::simple(200, 280, 520.0),
-            pose: Pose {
-                rotation,
-                translation: -(rotation * centre),
-            },
-        };
-        let view = View {
-            name: format!("{k:04}.jpg"),
-            camera,
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
+        let lens = Intrinsics::simple(200, 280, 520.0);
+        let from = Point3::new(4000.0 * c, 4000.0 * s, 850.0);
+        let camera = Camera::looking(lens, from, Point3::new(0.0, 0.0, 850.0));
+        let view = View::of(format!("{k:04}.jpg"), camera);
         (PhotoId(k), view)
     };
     Cameras {
         views: (0..PHOTOS).map(view).collect(),
-        scale: Scale::Mat,
-        scale_sigma: Some(0.001),
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: vec![],
+        ..made::cameras(Scale::Mat, Some(0.001), 0.0)
     }
 }
 
@@ -55,7 +35,7 @@ fn masks(mesh: &Mesh, cameras: &Cameras) -> Masks {
         for f in 0..mesh.faces.len() {
             let corners = mesh.triangle(f).map(|p| view.camera.project(&p).unwrap());
             let flat = corners.map(|px| [px.x, px.y, 0.0]);
-            shape::fill_triangle(flat, &mut near, &mut |x, y| *mask.at_mut(x, y) = 255);
+            shape::fill_triangle(flat, &mut near, &mut |x, y, _| *mask.at_mut(x, y) = 255);
         }
         (id, mask)
     };
@@ -72,16 +52,6 @@ fn halved(masks: &mut Masks, one: Option<u32>) {
     }
 }
 
-/// What is warned of.
-#[derive(Default)]
-struct Heard(Mutex<Vec<String>>);
-
-impl Host for Heard {
-    fn warn(&self, text: &stage::Message) {
-        self.0.lock().unwrap().push(text.to_string());
-    }
-}
-
 /// Girths of a surface with photos and facts; what was warned of.
 fn measured(mesh: &Mesh, masks: Masks, known: (Rig, Person)) -> (Girths, Vec<String>) {
     with_lost(mesh, masks, known, None)
@@ -94,34 +64,19 @@ fn with_lost(
     (rig, person): (Rig, Person),
     lost_parts: Option<LostParts>,
 ) -> (Girths, Vec<String>) {
-    let mesh = Arc::new(mesh.clone());
-    let cameras = Some(Arc::new(cameras()));
-    let features = made::features(&mesh, cameras.as_ref());
-    let input = LandmarkInput {
-        mesh: mesh.clone(),
-        features: features.clone(),
-        levels: None,
-    };
-    let heard = Heard::default();
-    let nothing = stage::hash(b"");
-    let ctx = Ctx::new(&heard, nothing, nothing);
-    let landmarks = FindLandmarks::run(&Default::default(), input, &ctx).unwrap();
     let photos = Photos {
         rig,
         ..Photos::default()
     };
-    let input = GirthInput {
-        mesh,
-        features,
-        landmarks: Arc::new(landmarks),
-        cameras,
+    let given = made::Given {
         photos: Some(Arc::new(photos)),
         masks: Some(Arc::new(masks)),
         person: Some(Arc::new(person)),
         lost_parts: lost_parts.map(Arc::new),
+        ..made::Given::on(mesh, cameras())
     };
-    let girths = Measure::run(&Default::default(), input, &ctx).unwrap();
-    (girths, heard.0.into_inner().unwrap())
+    let (_, girths) = given.measured();
+    (girths, given.warned.0.into_inner().unwrap())
 }
 
 /// The one reason of all that is missing, once.

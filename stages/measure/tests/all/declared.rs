@@ -2,48 +2,14 @@
 
 use crate::made;
 
-use measure::{FindLandmarks, GirthInput, GirthParams, LandmarkInput, LandmarkParams, Measure};
-use measure::{OwnGirth, OwnPart, Waist, Wanted};
-use shape::{
-    Cameras, GirthId, Girths, Landmarks, Mesh, Person, Photos, Refusal, Rig, Scale, Sex, Unit,
-};
-use stage::{Ctx, Host, Named, Stage};
-use std::sync::{Arc, Mutex};
+use made::Given;
+use measure::{GirthParams, LandmarkParams, OwnGirth, OwnPart, Waist, Wanted};
+use shape::{GirthId, Girths, Landmarks, Person, Photos, Refusal, Rig, Scale, Sex, Unit};
+use stage::Named;
+use std::sync::Arc;
 
-fn mesh() -> Arc<Mesh> {
-    Arc::new(made::meshed(&made::built(1700.0, 1.0, 30.0), 12.0))
-}
-
-fn landmarks(mesh: &Arc<Mesh>, params: &LandmarkParams) -> Landmarks {
-    let input = LandmarkInput {
-        mesh: mesh.clone(),
-        features: made::features(mesh, None),
-        levels: None,
-    };
-    FindLandmarks::run(params, input, &Ctx::alone()).unwrap()
-}
-
-fn girths(mesh: &Arc<Mesh>, landmarks: Landmarks, params: &GirthParams) -> Girths {
-    girths_by(mesh, landmarks, params, None)
-}
-
-fn girths_by(
-    mesh: &Arc<Mesh>,
-    landmarks: Landmarks,
-    params: &GirthParams,
-    cameras: Option<Arc<Cameras>>,
-) -> Girths {
-    let input = GirthInput {
-        mesh: mesh.clone(),
-        features: made::features(mesh, None),
-        landmarks: Arc::new(landmarks),
-        cameras,
-        photos: None,
-        masks: None,
-        person: None,
-        lost_parts: None,
-    };
-    Measure::run(params, input, &Ctx::alone()).unwrap()
+fn body() -> Given {
+    Given::of(&made::meshed(&made::built(1700.0, 1.0, 30.0), 12.0))
 }
 
 fn names(landmarks: &Landmarks) -> Vec<&str> {
@@ -52,14 +18,14 @@ fn names(landmarks: &Landmarks) -> Vec<&str> {
 
 #[test]
 fn a_set_holds_its_own_girths_and_no_other() {
-    let mesh = mesh();
+    let body = body();
     let of = |set, waist| {
         let params = LandmarkParams {
             set,
             waist,
             ..Default::default()
         };
-        landmarks(&mesh, &params)
+        body.marked(&params).unwrap()
     };
     let iso = of(Wanted::Iso8559, Waist::Natural);
     assert_eq!(
@@ -87,7 +53,7 @@ fn a_set_holds_its_own_girths_and_no_other() {
 
 #[test]
 fn a_girth_of_the_users_own_is_where_it_was_put_or_is_refused() {
-    let mesh = mesh();
+    let body = body();
     let own = |part, at| OwnGirth {
         part,
         at,
@@ -103,8 +69,8 @@ fn a_girth_of_the_users_own_is_where_it_was_put_or_is_refused() {
         girth: Named(declared.map(|(n, g)| (n.to_owned(), g)).into()),
         ..Default::default()
     };
-    let found = landmarks(&mesh, &params);
-    let measured = girths(&mesh, found.clone(), &GirthParams::default());
+    let found = body.marked(&params).unwrap();
+    let measured = body.girths(&found, &GirthParams::default());
     let [hip, low, mid, neck] = ["HC", "low", "mid_trunk", "NC"].map(|n| measured.get(n).unwrap());
     // At 0 it is the hip, within a slice.
     assert!((low.tape_mm / hip.tape_mm - 1.0).abs() < 0.01);
@@ -133,13 +99,7 @@ fn a_name_that_is_taken_is_named() {
         girth: Named([("WC".to_owned(), OwnGirth::default())].into()),
         ..Default::default()
     };
-    let mesh = mesh();
-    let input = LandmarkInput {
-        features: made::features(&mesh, None),
-        mesh,
-        levels: None,
-    };
-    let Err(stage::Stop::Failed(why)) = FindLandmarks::run(&params, input, &Ctx::alone()) else {
+    let Err(stage::Stop::Failed(why)) = body().marked(&params) else {
         panic!("it was taken")
     };
     assert!(why.to_string().contains("WC is there already"), "{why}");
@@ -147,14 +107,14 @@ fn a_name_that_is_taken_is_named() {
 
 #[test]
 fn a_declared_compression_shortens_tapes_and_their_intervals_and_nothing_else() {
-    let mesh = mesh();
-    let found = landmarks(&mesh, &LandmarkParams::default());
-    let plain = girths(&mesh, found.clone(), &GirthParams::default());
+    let body = body();
+    let found = body.landmarks();
+    let plain = body.girths(&found, &GirthParams::default());
     let params = GirthParams {
         compression_pct: 2.0,
         ..Default::default()
     };
-    let pressed = girths(&mesh, found, &params);
+    let pressed = body.girths(&found, &params);
     assert_eq!((plain.compression_pct, pressed.compression_pct), (0.0, 2.0));
     assert_eq!(plain.girths.len(), pressed.girths.len());
     for (a, b) in plain.girths.iter().zip(&pressed.girths) {
@@ -173,8 +133,8 @@ fn a_declared_compression_shortens_tapes_and_their_intervals_and_nothing_else() 
 
 #[test]
 fn a_level_that_nobody_knows_gives_no_interval_and_one_far_too_uncertain_no_number() {
-    let mesh = mesh();
-    let mut found = landmarks(&mesh, &LandmarkParams::default());
+    let body = body();
+    let mut found = body.landmarks();
     let mark = |found: &mut Landmarks, name: &str, mm: Option<f64>| {
         let mark = found.found.iter_mut().find(|l| l.name == name).unwrap();
         mark.sigma.level_mm = mm;
@@ -183,7 +143,7 @@ fn a_level_that_nobody_knows_gives_no_interval_and_one_far_too_uncertain_no_numb
     mark(&mut found, "WC", None);
     mark(&mut found, "CFC_L", Some(250.0));
     mark(&mut found, "HC", Some(0.0));
-    let reported = girths(&mesh, found, &GirthParams::default());
+    let reported = body.girths(&found, &GirthParams::default());
     let waist = reported.get("WC").unwrap();
     assert_eq!((waist.interval_mm, waist.sigmas.level_mm), (None, None));
     assert!(waist.remarks()[0].contains("how sure the level is"));
@@ -202,19 +162,14 @@ fn a_level_that_nobody_knows_gives_no_interval_and_one_far_too_uncertain_no_numb
 
 #[test]
 fn without_a_scale_lengths_are_relative_and_nothing_needs_centimetres() {
-    let mesh = mesh();
-    let found = landmarks(&mesh, &LandmarkParams::default());
-    let cameras = |scale, scale_sigma| Cameras {
-        views: [].into_iter().collect(),
-        scale,
-        scale_sigma,
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: vec![],
-    };
+    let body = body();
+    let found = body.landmarks();
     let of = |scale, sigma| {
-        let cameras = Some(Arc::new(cameras(scale, sigma)));
-        girths_by(&mesh, found.clone(), &GirthParams::default(), cameras)
+        let given = Given {
+            cameras: Some(Arc::new(made::cameras(scale, sigma, 0.0))),
+            ..Given::of(&body.mesh)
+        };
+        given.girths(&found, &GirthParams::default())
     };
     let relative = of(Scale::Nothing, None);
     assert_eq!(relative.unit, Unit::Relative);
@@ -231,19 +186,9 @@ fn without_a_scale_lengths_are_relative_and_nothing_needs_centimetres() {
     assert!(width(known) > width(waist));
 }
 
-/// What is warned of.
-#[derive(Default)]
-struct Heard(Mutex<Vec<String>>);
-
-impl Host for Heard {
-    fn warn(&self, text: &stage::Message) {
-        self.0.lock().unwrap().push(text.to_string());
-    }
-}
-
 #[test]
 fn a_child_is_put_beside_the_growth_reference_and_what_lacks_is_warned_of() {
-    let mesh = Arc::new(made::meshed(&made::built(1400.0, 1.0, 30.0), 12.0));
+    let mesh = made::meshed(&made::built(1400.0, 1.0, 30.0), 12.0);
     let reported = |person: Person, day: Option<&str>| {
         let person = Person {
             weight_kg: Some(35.0),
@@ -258,21 +203,13 @@ fn a_child_is_put_beside_the_growth_reference_and_what_lacks_is_warned_of() {
             rig,
             ..Photos::default()
         };
-        let input = GirthInput {
-            mesh: mesh.clone(),
-            features: made::features(&mesh, None),
-            landmarks: Arc::new(landmarks(&mesh, &LandmarkParams::default())),
-            cameras: None,
+        let given = Given {
             photos: Some(Arc::new(photos)),
-            masks: None,
             person: Some(Arc::new(person)),
-            lost_parts: None,
+            ..Given::of(&mesh)
         };
-        let heard = Heard::default();
-        let nothing = stage::hash(b"");
-        let ctx = Ctx::new(&heard, nothing, nothing);
-        let girths = Measure::run(&GirthParams::default(), input, &ctx).unwrap();
-        (girths, heard.0.into_inner().unwrap().join("; "))
+        let (_, girths) = given.measured();
+        (girths, given.warned.0.into_inner().unwrap().join("; "))
     };
     let born = |day: &str| Person {
         sex: Some(Sex::Female),

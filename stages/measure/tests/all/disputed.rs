@@ -2,47 +2,29 @@
 
 use crate::made;
 
-use measure::{FindLandmarks, GirthInput, GirthParams, LandmarkInput, Measure};
-use shape::{Cameras, Girths, Length, Person, Photos, Refusal, Scale, Unit};
-use stage::{Ctx, Stage};
+use made::Given;
+use measure::GirthParams;
+use shape::{Girths, Length, Person, Photos, Refusal, Scale, Unit};
 use std::sync::Arc;
 
 #[test]
 fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_it() {
-    let mesh = Arc::new(made::meshed(&made::built(1700.0, 1.0, 30.0), 12.0));
-    let features = made::features(&mesh, None);
-    let input = LandmarkInput {
-        mesh: mesh.clone(),
-        features: features.clone(),
-        levels: None,
-    };
-    let found = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
+    let mesh = made::meshed(&made::built(1700.0, 1.0, 30.0), 12.0);
+    let found = Given::of(&mesh).landmarks();
     let of = |scale, stature_mm: f64| {
-        let cameras = Cameras {
-            views: [].into_iter().collect(),
-            scale,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        };
         let person = Person {
             weight_kg: Some(70.0),
             ..Person::default()
         };
         let mut photos = Photos::default();
         photos.rig.stature_mm = Some(stature_mm);
-        let input = GirthInput {
-            mesh: mesh.clone(),
-            features: features.clone(),
-            landmarks: Arc::new(found.clone()),
-            cameras: Some(Arc::new(cameras)),
+        let given = Given {
+            cameras: Some(Arc::new(made::cameras(scale, None, 0.0))),
             photos: Some(Arc::new(photos)),
-            masks: None,
             person: Some(Arc::new(person)),
-            lost_parts: None,
+            ..Given::of(&mesh)
         };
-        Measure::run(&GirthParams::default(), input, &Ctx::alone()).unwrap()
+        given.girths(&found, &GirthParams::default())
     };
     let ratios = |girths: &Girths| {
         girths

@@ -3,10 +3,8 @@
 use crate::made;
 
 use made::{built, measured, meshed};
-use measure::{FindLandmarks, GivenGround, LandmarkInput, ground};
-use shape::{Cameras, Landmarks, Mesh, Refusal, Scale, Solid, SolidPart, Unit};
-use stage::{Ctx, Stage};
-use std::sync::Arc;
+use measure::{GivenGround, ground};
+use shape::{Landmarks, Mesh, Refusal, Scale, Solid, SolidPart, Unit};
 
 const TALL: f64 = 1700.0;
 
@@ -43,22 +41,8 @@ fn near(mesh: &Mesh, reported: Option<GivenGround>, height: f64) -> measure::Gro
     found
 }
 
-fn landmarks(mesh: Mesh, ground_mm: f64, scale: Scale) -> Landmarks {
-    let cameras = Cameras {
-        views: std::iter::empty().collect(),
-        scale,
-        scale_sigma: Some(0.001),
-        disk_radius_mm: None,
-        ground_mm,
-        points: vec![],
-    };
-    let mesh = Arc::new(mesh);
-    let input = LandmarkInput {
-        features: made::features(&mesh, Some(&Arc::new(cameras))),
-        mesh,
-        levels: None,
-    };
-    FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap()
+fn landmarks(mesh: &Mesh, ground_mm: f64) -> Landmarks {
+    made::Given::on(mesh, made::cameras(Scale::Given, Some(0.001), ground_mm)).landmarks()
 }
 
 #[test]
@@ -73,7 +57,7 @@ fn a_ground_that_the_body_does_not_touch_is_named_and_the_soles_are_taken() {
     assert!(high.contains("above"), "{high}");
     // So a stature and all that is a share of it do not change.
     let own = measured(mesh.clone()).0;
-    let off = landmarks(mesh, -419.0, Scale::Given);
+    let off = landmarks(&mesh, -419.0);
     let tall = off.stature_mm.unwrap();
     assert!((tall / TALL - 1.0).abs() < 0.01, "{tall}");
     assert!(off.stature_sigma_mm.unwrap() < 15.0);
@@ -158,7 +142,7 @@ fn one_foot_tells_the_ground_and_none_leaves_it_to_the_mat() {
         ..mat()
     };
     assert_eq!(ground(&none, Some(&high)), Err(Refusal::NoGround));
-    let found = landmarks(none, -300.0, Scale::Given);
+    let found = landmarks(&none, -300.0);
     assert!(found.found.is_empty() && found.stature_mm.is_none() && found.ground_mm.is_none());
     assert!(found.missing.iter().any(|m| m.name == "stature"));
     for m in &found.missing {

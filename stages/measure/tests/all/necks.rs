@@ -84,22 +84,13 @@ fn a_neck_is_the_same_share_of_a_body_of_any_size_in_any_place() {
 
 #[test]
 fn a_lean_that_is_set_adds_to_the_necks_own() {
-    use measure::{FindLandmarks, LandmarkInput, LandmarkParams};
-    use stage::{Ctx, Stage};
-    let mesh = std::sync::Arc::new(meshed(&leaning(15.0, 1.0), 8.0));
+    let given = made::Given::of(&meshed(&leaning(15.0, 1.0), 8.0));
     let lean = |more: f64| {
-        let params = LandmarkParams {
+        let params = measure::LandmarkParams {
             neck_lean_deg: more,
             ..Default::default()
         };
-        let input = LandmarkInput {
-            mesh: mesh.clone(),
-            features: crate::made::features(&mesh, None),
-            levels: None,
-        };
-        let found = FindLandmarks::run(&params, input, &Ctx::alone())
-            .unwrap()
-            .found;
+        let found = given.marked(&params).unwrap().found;
         let [_, y, z] = found.iter().find(|l| l.name == "NC").unwrap().plane.normal;
         libm::atan2(-y, z).to_degrees()
     };

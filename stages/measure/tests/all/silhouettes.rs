@@ -1,8 +1,8 @@
 //! Girths from silhouettes alone, against an ellipse seen by cameras around it.
 
 use measure::{Tangent, support_girth, tangents};
-use nalgebra::{Point3, Rotation3, Vector3};
-use shape::{Camera, Intrinsics, Mask, Pose};
+use nalgebra::Point3;
+use shape::{Camera, Intrinsics, Mask};
 use std::f64::consts::TAU;
 
 const A: f64 = 160.0;
@@ -26,18 +26,8 @@ fn perimeter() -> f64 {
 fn camera(angle: f64) -> Camera {
     let (s, c) = libm::sincos(angle);
     let eye = Point3::new(2500.0 * c, 2500.0 * s, 1000.0);
-    let (forward, down) = (Vector3::new(-c, -s, 0.0), -Vector3::z());
-    let right = down.cross(&forward);
-    let rows =
-        nalgebra::Matrix3::from_rows(&[right.transpose(), down.transpose(), forward.transpose()]);
-    let rotation = Rotation3::from_matrix_unchecked(rows);
-    Camera {
-        lens: Intrinsics::simple(600, 60, 900.0),
-        pose: Pose {
-            rotation,
-            translation: -(rotation * eye.coords),
-        },
-    }
+    let lens = Intrinsics::simple(600, 60, 900.0);
+    Camera::looking(lens, eye, Point3::new(0.0, 0.0, 1000.0))
 }
 
 /// The silhouette of the upright elliptic cylinder: exact to a pixel's cover along its rows.

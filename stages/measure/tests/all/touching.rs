@@ -2,11 +2,8 @@
 
 use crate::made;
 
-use made::{built, meshed};
-use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
-use shape::{Cameras, Girths, Level, Mesh, Refusal, Scale, Solid, SolidPart};
-use stage::{Ctx, Stage};
-use std::sync::Arc;
+use made::{Given, built, meshed};
+use shape::{Girths, Level, Mesh, Refusal, Scale, Solid, SolidPart};
 
 const TALL: f64 = 1700.0;
 
@@ -50,35 +47,11 @@ fn touching(stout: f64, down_to: f64) -> Solid {
 
 /// What is measured of a surface; `firm` has it on a mat at nought.
 fn measured(mesh: Mesh, firm: bool) -> Girths {
-    let mesh = Arc::new(mesh);
-    let cameras = firm.then(|| {
-        Arc::new(Cameras {
-            views: std::iter::empty().collect(),
-            scale: Scale::Mat,
-            scale_sigma: Some(0.001),
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        })
-    });
-    let features = made::features(&mesh, cameras.as_ref());
-    let input = LandmarkInput {
-        mesh: mesh.clone(),
-        features: features.clone(),
-        levels: None,
-    };
-    let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
-    let input = GirthInput {
-        mesh,
-        features,
-        landmarks: Arc::new(landmarks),
-        cameras,
-        photos: None,
-        masks: None,
-        person: None,
-        lost_parts: None,
-    };
-    Measure::run(&Default::default(), input, &Ctx::alone()).unwrap()
+    let cameras = made::cameras(Scale::Mat, Some(0.001), 0.0);
+    match firm {
+        true => Given::on(&mesh, cameras).measured().1,
+        false => made::measured(mesh).1,
+    }
 }
 
 #[track_caller]

@@ -1,8 +1,10 @@
 //! Bodies given by formula, and what is measured on a surface.
 
-use measure::{BodyInput, FindBody, FindLandmarks, GirthInput, LandmarkInput, Measure};
-use shape::{BodyFeatures, Cameras, Girths, Landmarks, Mesh, Solid};
-use stage::{Ctx, Stage};
+use measure::{BodyInput, FindBody, FindLandmarks, GirthInput, GirthParams, LandmarkInput};
+use measure::{LandmarkParams, Measure};
+use shape::{BodyFeatures, Cameras, Girths, Landmarks, LostParts, Masks, Mesh, Person, Photos};
+use shape::{Scale, Solid};
+use stage::{Ctx, Host, Stage, Stop};
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};
 use synth::{Build, body_solid, bounds, surface};
@@ -33,35 +35,111 @@ pub(crate) fn meshed(solid: &Solid, cell_mm: f64) -> Mesh {
     })
 }
 
-/// What a surface shows of its body, on the ground of cameras if they are given.
-pub(crate) fn features(mesh: &Arc<Mesh>, cameras: Option<&Arc<Cameras>>) -> Arc<BodyFeatures> {
-    let input = BodyInput {
-        mesh: mesh.clone(),
-        cameras: cameras.cloned(),
-        levels: None,
-    };
-    Arc::new(FindBody::run(&(), input, &Ctx::alone()).unwrap())
+/// Cameras without photos: what they know of the scale, and where their ground is.
+pub(crate) fn cameras(scale: Scale, scale_sigma: Option<f64>, ground_mm: f64) -> Cameras {
+    Cameras {
+        views: std::iter::empty().collect(),
+        scale,
+        scale_sigma,
+        disk_radius_mm: None,
+        ground_mm,
+        points: vec![],
+    }
+}
+
+/// A surface, and what is given beside it; what was warned of.
+#[derive(Default)]
+pub(crate) struct Given {
+    pub(crate) mesh: Arc<Mesh>,
+    /// Those whose ground the body is on.
+    pub(crate) on: Option<Arc<Cameras>>,
+    pub(crate) cameras: Option<Arc<Cameras>>,
+    pub(crate) photos: Option<Arc<Photos>>,
+    pub(crate) masks: Option<Arc<Masks>>,
+    pub(crate) person: Option<Arc<Person>>,
+    pub(crate) lost_parts: Option<Arc<LostParts>>,
+    pub(crate) warned: Heard,
+}
+
+/// What is warned of.
+#[derive(Default)]
+pub(crate) struct Heard(pub(crate) Mutex<Vec<String>>);
+
+impl Host for Heard {
+    fn warn(&self, text: &stage::Message) {
+        self.0.lock().unwrap().push(text.to_string());
+    }
+}
+
+impl Given {
+    /// A surface alone.
+    pub(crate) fn of(mesh: &Mesh) -> Given {
+        Given {
+            mesh: Arc::new(mesh.clone()),
+            ..Given::default()
+        }
+    }
+
+    /// The same on the ground of cameras, which are given for girths, too.
+    pub(crate) fn on(mesh: &Mesh, cameras: Cameras) -> Given {
+        let cameras = Some(Arc::new(cameras));
+        Given {
+            on: cameras.clone(),
+            cameras,
+            ..Given::of(mesh)
+        }
+    }
+
+    fn features(&self) -> Arc<BodyFeatures> {
+        let input = BodyInput {
+            mesh: self.mesh.clone(),
+            cameras: self.on.clone(),
+            levels: None,
+        };
+        Arc::new(FindBody::run(&(), input, &Ctx::alone()).unwrap())
+    }
+
+    /// Its landmarks, or why there are none at all.
+    pub(crate) fn marked(&self, params: &LandmarkParams) -> Result<Landmarks, Stop> {
+        let input = LandmarkInput {
+            mesh: self.mesh.clone(),
+            features: self.features(),
+            levels: None,
+        };
+        let nothing = stage::hash(b"");
+        FindLandmarks::run(params, input, &Ctx::new(&self.warned, nothing, nothing))
+    }
+
+    /// Its landmarks by default.
+    pub(crate) fn landmarks(&self) -> Landmarks {
+        self.marked(&LandmarkParams::default()).unwrap()
+    }
+
+    /// Its girths at landmarks.
+    pub(crate) fn girths(&self, landmarks: &Landmarks, params: &GirthParams) -> Girths {
+        let input = GirthInput {
+            mesh: self.mesh.clone(),
+            features: self.features(),
+            landmarks: Arc::new(landmarks.clone()),
+            cameras: self.cameras.clone(),
+            photos: self.photos.clone(),
+            masks: self.masks.clone(),
+            person: self.person.clone(),
+            lost_parts: self.lost_parts.clone(),
+        };
+        let nothing = stage::hash(b"");
+        Measure::run(params, input, &Ctx::new(&self.warned, nothing, nothing)).unwrap()
+    }
+
+    /// Landmarks and girths by default.
+    pub(crate) fn measured(&self) -> (Landmarks, Girths) {
+        let landmarks = self.landmarks();
+        let girths = self.girths(&landmarks, &GirthParams::default());
+        (landmarks, girths)
+    }
 }
 
 /// Landmarks and girths of a surface alone, without cameras and photos.
 pub(crate) fn measured(mesh: Mesh) -> (Landmarks, Girths) {
-    let mesh = Arc::new(mesh);
-    let input = LandmarkInput {
-        mesh: mesh.clone(),
-        features: features(&mesh, None),
-        levels: None,
-    };
-    let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
-    let input = GirthInput {
-        features: features(&mesh, None),
-        mesh,
-        landmarks: Arc::new(landmarks.clone()),
-        cameras: None,
-        photos: None,
-        masks: None,
-        person: None,
-        lost_parts: None,
-    };
-    let girths = Measure::run(&Default::default(), input, &Ctx::alone()).unwrap();
-    (landmarks, girths)
+    Given::of(&mesh).measured()
 }

@@ -6,16 +6,7 @@ use stage::{AnyArtifact, Ctx, FileEntry, Files, Stage, Stop};
 use std::sync::Arc;
 
 fn photos() -> Arc<Photos> {
-    let photo = |i| Photo {
-        name: format!("{i:04}.jpg"),
-        width: 400,
-        height: 600,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: vec![i].into(),
-    };
+    let photo = |i| Photo::of(format!("{i:04}.jpg"), [400, 600], vec![i]);
     Arc::new(Photos {
         photos: (0..3).map(photo).collect(),
         ..Photos::default()

@@ -107,16 +107,7 @@ fn calibrated(rig: Rig) -> Cameras {
 }
 
 fn from(rig: Rig, cameras: &[Camera], tags: Tags) -> Cameras {
-    let photo = |i: usize| Photo {
-        name: format!("{i:04}.jpg"),
-        width: 1600,
-        height: 2400,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: Vec::new().into(),
-    };
+    let photo = |i: usize| Photo::of(format!("{i:04}.jpg"), [1600, 2400], Vec::new());
     let photos = Photos {
         photos: (0..cameras.len()).map(photo).collect(),
         plate: None,

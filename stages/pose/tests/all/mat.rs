@@ -51,16 +51,7 @@ fn tags_are_found_where_they_were_printed() {
         }
     }
     let bytes = gray_to_png(&light.map(|v| v.round().clamp(0.0, 255.0) as u8));
-    let photo = Photo {
-        name: "above.png".into(),
-        width: size as u32,
-        height: size as u32,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: bytes.into(),
-    };
+    let photo = Photo::of("above.png", [size as u32, size as u32], bytes);
     let mut photos = Photos {
         photos: vec![photo],
         ..Photos::default()

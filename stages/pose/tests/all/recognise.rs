@@ -100,16 +100,7 @@ fn sample() -> (shape::Tags, Vec<String>) {
     let photo = |i: usize| {
         let name = format!("{i:04}.jpg");
         let file = std::fs::read(folder.join(&name)).unwrap();
-        Photo {
-            name,
-            width: 800,
-            height: 1200,
-            orientation: 1,
-            focal_35mm: None,
-            device: String::new(),
-            time_s: None,
-            file: file.into(),
-        }
+        Photo::of(name, [800, 1200], file)
     };
     let photos = Photos {
         photos: (0..18).step_by(2).map(photo).collect(),

@@ -90,15 +90,12 @@ fn shown(
     rig: Rig,
     file: impl Fn(usize) -> Vec<u8>,
 ) -> Result<Cameras, String> {
-    let photo = |i: usize| Photo {
-        name: format!("{i:04}.jpg"),
-        width: cameras[0].lens.width,
-        height: cameras[0].lens.height,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: file(i).into(),
+    let photo = |i: usize| {
+        Photo::of(
+            format!("{i:04}.jpg"),
+            [cameras[0].lens.width, cameras[0].lens.height],
+            file(i),
+        )
     };
     let photos = Photos {
         photos: (0..cameras.len()).map(photo).collect(),

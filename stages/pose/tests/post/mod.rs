@@ -53,16 +53,7 @@ pub(crate) fn seen(camera: &Camera) -> Mask {
 
 /// A photo of these levels.
 pub(crate) fn photo(name: &str, gray: &shape::Image<u8>) -> Photo {
-    Photo {
-        name: name.into(),
-        width: 320,
-        height: 480,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: shape::gray_to_png(gray).into(),
-    }
+    Photo::of(name, [320, 480], shape::gray_to_png(gray))
 }
 
 /// Cameras of the turn in millimetres by what is known and what is still.
@@ -106,13 +97,7 @@ pub(crate) fn framed_and_warned(
     let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
     let id = |i: usize| PhotoId(i as u32);
     let view = |(i, camera): (usize, &Camera)| {
-        let view = View {
-            name: format!("{i:04}.png"),
-            camera: *camera,
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
+        let view = View::of(format!("{i:04}.png"), *camera);
         (id(i), view)
     };
     let masks = cameras.iter().enumerate().map(|(i, c)| (id(i), seen(c)));

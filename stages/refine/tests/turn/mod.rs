@@ -1,9 +1,8 @@
 //! A textured ball on a ring of cameras: photos, cameras and masks by formula.
 
-use nalgebra::{Point3, Rotation3, Vector3};
+use nalgebra::{Point3, Vector3};
 use shape::{
-    ByPhoto, Camera, Cameras, Intrinsics, Mask, Masks, Mesh, Photo, PhotoId, Photos, Pose, Scale,
-    View,
+    ByPhoto, Camera, Cameras, Intrinsics, Mask, Masks, Mesh, Photo, PhotoId, Photos, Scale, View,
 };
 
 pub(crate) const RADIUS: f64 = 60.0;
@@ -13,19 +12,11 @@ pub(crate) const COUNT: u32 = 12;
 pub(crate) fn camera(k: u32) -> Camera {
     let angle = f64::from(k) * std::f64::consts::TAU / f64::from(COUNT);
     let centre = Point3::new(400.0 * libm::cos(angle), 400.0 * libm::sin(angle), 90.0);
-    let forward = (Point3::origin() - centre).normalize();
-    let right = forward.cross(&Vector3::z()).normalize();
-    let down = forward.cross(&right);
-    let rows =
-        nalgebra::Matrix3::from_rows(&[right.transpose(), down.transpose(), forward.transpose()]);
-    let rotation = Rotation3::from_matrix_unchecked(rows);
-    Camera {
-        lens: Intrinsics::simple(160, 160, 400.0),
-        pose: Pose {
-            rotation,
-            translation: -(rotation * centre.coords),
-        },
-    }
+    Camera::looking(
+        Intrinsics::simple(160, 160, 400.0),
+        centre,
+        Point3::origin(),
+    )
 }
 
 /// Brightness of a point of the body: a few waves through space.
@@ -72,26 +63,10 @@ pub(crate) fn turn(contrast: f64, shifts: &[Vector3<f64>]) -> (Photos, Cameras, 
         let mut file = std::io::Cursor::new(Vec::new());
         image.write_to(&mut file, image::ImageFormat::Png).unwrap();
         let name = format!("{k:04}.png");
-        photos.photos.push(Photo {
-            name: name.clone(),
-            width: 160,
-            height: 160,
-            orientation: 1,
-            focal_35mm: None,
-            device: String::new(),
-            time_s: None,
-            file: file.into_inner().into(),
-        });
-        views.push((
-            PhotoId(k),
-            View {
-                name,
-                camera,
-                sigma_mm: None,
-                rms_px: None,
-                points: 0,
-            },
-        ));
+        photos
+            .photos
+            .push(Photo::of(name.clone(), [160, 160], file.into_inner()));
+        views.push((PhotoId(k), View::of(name, camera)));
         masks.push((PhotoId(k), mask));
     }
     let cameras = Cameras {

@@ -53,16 +53,7 @@ fn photos() -> Photos {
         height: 180,
         data: vec![[120, 80, 60]; 120 * 180],
     };
-    let photo = |i: usize| Photo {
-        name: format!("{i:04}.jpg"),
-        width: 120,
-        height: 180,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: rgb_to_jpeg(&pixels, 80).into(),
-    };
+    let photo = |i: usize| Photo::of(format!("{i:04}.jpg"), [120, 180], rgb_to_jpeg(&pixels, 80));
     Photos {
         photos: (0..3).map(photo).collect(),
         ..Photos::default()
