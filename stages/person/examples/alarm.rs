@@ -72,16 +72,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A photo of a turn.
 fn photo(path: &Path) -> Result<Photo, Box<dyn Error>> {
     let (width, height) = image::image_dimensions(path)?;
-    Ok(Photo {
-        name: path.display().to_string(),
-        width,
-        height,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: std::fs::read(path)?.into(),
-    })
+    Ok(Photo::of(
+        path.display().to_string(),
+        [width, height],
+        std::fs::read(path)?,
+    ))
 }
 
 /// The pictures of a folder, by name; both folders have them in the same order, a plate has another name.

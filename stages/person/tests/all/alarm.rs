@@ -22,17 +22,12 @@ fn sample() -> PathBuf {
 /// Four photos of the sample.
 fn turn() -> Photos {
     let stems = ["0000", "0004", "0009", "0013"];
-    let photo = |stem: &str| Photo {
-        name: format!("{stem}.jpg"),
-        width: 800,
-        height: 1200,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: std::fs::read(sample().join(format!("images/{stem}.jpg")))
-            .unwrap()
-            .into(),
+    let photo = |stem: &str| {
+        Photo::of(
+            format!("{stem}.jpg"),
+            [800, 1200],
+            std::fs::read(sample().join(format!("images/{stem}.jpg"))).unwrap(),
+        )
     };
     Photos {
         photos: stems.map(photo).to_vec(),

@@ -7,16 +7,11 @@ use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 fn photo(name: &str, pixels: &Rgb) -> Photo {
-    Photo {
-        name: name.into(),
-        width: pixels.width as u32,
-        height: pixels.height as u32,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: rgb_to_png(pixels).into(),
-    }
+    Photo::of(
+        name,
+        [pixels.width as u32, pixels.height as u32],
+        rgb_to_png(pixels),
+    )
 }
 
 /// A photo of the sample, 800 × 1200.

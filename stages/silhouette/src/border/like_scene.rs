@@ -125,15 +125,12 @@ mod tests {
             background_colors: vec![],
         };
         let ids = || (0..2).map(PhotoId);
-        let photo = |id: PhotoId| Photo {
-            name: format!("{}.jpg", id.0),
-            width: SIDE as u32,
-            height: SIDE as u32,
-            orientation: 1,
-            focal_35mm: None,
-            device: String::new(),
-            time_s: None,
-            file: vec![].into(),
+        let photo = |id: PhotoId| {
+            Photo::of(
+                format!("{}.jpg", id.0),
+                [SIDE as u32, SIDE as u32],
+                Vec::new(),
+            )
         };
         let photos = Photos {
             photos: ids().map(photo).collect(),

@@ -35,16 +35,11 @@ fn photo(dice: &mut Dice) -> (Rgb, Image<bool>) {
 
 /// What the stage makes of one photo without plate and cameras.
 fn masked(photo: &Rgb, box_px: Vec<f64>) -> Result<Mask, String> {
-    let photo = Photo {
-        name: "0000.png".into(),
-        width: photo.width as u32,
-        height: photo.height as u32,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: rgb_to_png(photo).into(),
-    };
+    let photo = Photo::of(
+        "0000.png",
+        [photo.width as u32, photo.height as u32],
+        rgb_to_png(photo),
+    );
     let photos = Photos {
         photos: vec![photo],
         ..Photos::default()

@@ -6,15 +6,12 @@ use stage::{Ctx, FileEntry, Files, Stage, Stop, hash};
 use std::sync::Arc;
 
 fn photos(count: usize) -> Photos {
-    let photo = |i: usize| Photo {
-        name: format!("{i:04}.jpg"),
-        width: 40,
-        height: 60,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: rgb_to_png(&Rgb::filled(40, 60, [90; 3])).into(),
+    let photo = |i: usize| {
+        Photo::of(
+            format!("{i:04}.jpg"),
+            [40, 60],
+            rgb_to_png(&Rgb::filled(40, 60, [90; 3])),
+        )
     };
     Photos {
         photos: (0..count).map(photo).collect(),

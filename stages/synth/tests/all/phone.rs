@@ -16,16 +16,7 @@ fn turn() -> Arc<Photos> {
             *p = [60, 120, 240];
         }
     }
-    let photo = |name: String| Photo {
-        name,
-        width: 64,
-        height: 48,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: rgb_to_png(&pixels).into(),
-    };
+    let photo = |name: String| Photo::of(name, [64, 48], rgb_to_png(&pixels));
     Arc::new(Photos {
         photos: (0..COUNT).map(|i| photo(format!("{i:04}.png"))).collect(),
         plate: Some(photo("plate.png".into())),

@@ -229,16 +229,11 @@ impl Turn {
 const MIDDLE: f64 = (SIDE as f64 - 1.0) / 2.0;
 
 fn photo(i: usize) -> Photo {
-    Photo {
-        name: format!("{i:04}.jpg"),
-        width: SIDE as u32,
-        height: SIDE as u32,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: vec![].into(),
-    }
+    Photo::of(
+        format!("{i:04}.jpg"),
+        [SIDE as u32, SIDE as u32],
+        Vec::new(),
+    )
 }
 
 #[derive(Default)]

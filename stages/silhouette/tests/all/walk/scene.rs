@@ -200,16 +200,11 @@ impl Scene {
         let (mut photos, mut masks) = (Photos::default(), vec![]);
         for k in 0..self.made.photos {
             let (pixels, mask) = self.photograph(k);
-            photos.photos.push(Photo {
-                name: format!("{k:04}.png"),
-                width: pixels.width as u32,
-                height: pixels.height as u32,
-                orientation: 1,
-                focal_35mm: None,
-                device: String::new(),
-                time_s: None,
-                file: rgb_to_png(&pixels).into(),
-            });
+            photos.photos.push(Photo::of(
+                format!("{k:04}.png"),
+                [pixels.width as u32, pixels.height as u32],
+                rgb_to_png(&pixels),
+            ));
             masks.push(mask);
         }
         (photos, masks)
