@@ -9,6 +9,10 @@ const COLUMNS: usize = 80;
 /// Names of nodes that mean nothing to who measures.
 const NODES: [&str; 4] = ["calibrated", "compensated", "evidence", "keypoints"];
 
+/// A coarse surface: what is on the screen is the same.
+const QUICK: &str = "--fast --set params.cell_mm=6 --set compensated_coarse.level=2 --set coarse.level=2 \
+    --set coarse.edge_px=8 --set textured.atlas_px=128 --set coarse.rounds";
+
 /// The places of these in a text, which must come in this order.
 #[track_caller]
 fn in_order(text: &str, parts: &[&str]) {
@@ -21,11 +25,16 @@ fn in_order(text: &str, parts: &[&str]) {
     }
 }
 
+/// A measuring by coarse surfaces, with more words.
+fn quick(more: &str) -> String {
+    format!("measure turn --out out {QUICK}=1 {more}")
+}
+
 #[test]
 fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warnings() {
     // A capture that nobody named is called after its folder.
     let place = sample();
-    let printed = place.run("measure turn --out out --fast").code(0);
+    let printed = place.run(&quick("")).code(0);
     let found = "turn: 18 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
     assert!(printed.err.starts_with(found), "{}", printed.err);
     in_order(
@@ -72,7 +81,7 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
 /// The same in German, quiet, and by node.
 fn in_other_ways(place: &Place, printed: &Printed) {
     // Nothing is made anew in another language, and the numbers are the same.
-    let german = place.run("measure turn --out out --lang de --fast").code(0);
+    let german = place.run(&quick("--lang de")).code(0);
     in_order(
         &german.err,
         &[
@@ -103,13 +112,14 @@ fn in_other_ways(place: &Place, printed: &Printed) {
     };
     assert_eq!(numbers(&german.out), numbers(&printed.out));
     let line = format!(
-        "LC_ALL= LANG=de_DE.UTF-8 {} measure turn --out out --fast",
-        env!("CARGO_BIN_EXE_tailor")
+        "LC_ALL= LANG=de_DE.UTF-8 {} {}",
+        env!("CARGO_BIN_EXE_tailor"),
+        quick("")
     );
     assert_eq!(place.bash(&line).code(0).out, german.out);
-    let quiet = place.run("measure turn --out out --quiet --fast").code(0);
+    let quiet = place.run(&quick("--quiet")).code(0);
     assert_eq!((quiet.err, quiet.out), (String::new(), printed.out.clone()));
-    let nodes = place.run("measure turn --out out --verbose --fast").code(0);
+    let nodes = place.run(&quick("--verbose")).code(0);
     assert!(nodes.err.contains("] calibrated   found"), "{}", nodes.err);
 }
 
@@ -118,9 +128,9 @@ fn on_a_terminal(place: &Place) {
     if !cfg!(target_os = "linux") {
         return;
     }
-    // A round less, so that something is made.
+    // A round more, so that something is made.
     let line = format!(
-        "{} measure turn --out out --fast --set coarse.rounds=3",
+        "{} measure turn --out out {QUICK}=2",
         env!("CARGO_BIN_EXE_tailor")
     );
     let seen = place.bash(&format!(
