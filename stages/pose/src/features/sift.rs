@@ -35,7 +35,7 @@ stage::params! {
         /// features of the size of a pixel.
         #[range(0..=10000)]
         #[source(structural)]
-        fine_px: u32 = 2600,
+        fine_px: u32 = 2000,
         /// Whether features are searched even where a marker mat gives the cameras.
         beside_mat: bool = false,
     }
