@@ -66,10 +66,8 @@ impl Mesh {
             let n = self.area_vector(f);
             face.iter().for_each(|v| normals[*v as usize] += n);
         }
-        normals
-            .iter()
-            .map(|n: &Vector3<f64>| n.try_normalize(0.0).unwrap_or_default())
-            .collect()
+        let unit = |n: &Vector3<f64>| n.try_normalize(0.0).unwrap_or_default();
+        normals.iter().map(unit).collect()
     }
 
     /// As [`normals`](Self::normals), byte for byte, on all cores.
@@ -81,11 +79,8 @@ impl Mesh {
             });
             sum.try_normalize(0.0).unwrap_or_default()
         };
-        (0..self.positions.len() as u32)
-            .into_par_iter()
-            .with_min_len(4096)
-            .map(normal)
-            .collect()
+        let all = (0..self.positions.len() as u32).into_par_iter();
+        all.with_min_len(4096).map(normal).collect()
     }
 
     /// The enclosed volume, positive if faces look outward. \[mm³\]
@@ -131,10 +126,8 @@ impl Mesh {
             return Err(MeshFault::NotFinite(v));
         }
         for (f, &[a, b, c]) in self.faces.iter().enumerate() {
-            if [a, b, c]
-                .iter()
-                .any(|v| *v as usize >= self.positions.len())
-            {
+            let beyond = |v: &u32| *v as usize >= self.positions.len();
+            if [a, b, c].iter().any(beyond) {
                 return Err(MeshFault::Dangling(f));
             }
             if a == b || b == c || c == a {
@@ -153,21 +146,19 @@ impl Mesh {
         self.validate()?;
         let edges = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
         let mut half: Vec<(u32, u32)> = self.faces.iter().flat_map(edges).collect();
-        half.sort_unstable();
+        half.par_sort_unstable();
         if let Some(w) = half.windows(2).find(|w| w[0] == w[1]) {
             return Err(MeshFault::Open(w[0].0, w[0].1));
         }
-        if let Some(&(a, b)) = half
-            .iter()
-            .find(|(a, b)| half.binary_search(&(*b, *a)).is_err())
-        {
+        let alone = |(a, b): &&(u32, u32)| half.binary_search(&(*b, *a)).is_err();
+        if let Some(&(a, b)) = half.par_iter().with_min_len(4096).find_first(alone) {
             return Err(MeshFault::Open(a, b));
         }
         let around = Adjacency::new(self);
-        for v in 0..self.positions.len() as u32 {
-            let faces = around.faces(v);
+        let pinched = |v: &u32| {
+            let (v, faces) = (*v, around.faces(*v));
             let Some(&first) = faces.first() else {
-                continue;
+                return false;
             };
             // Walk the fan: from each face over the edge that leaves the vertex to the next.
             let next = |f: u32| {
@@ -183,11 +174,11 @@ impl Mesh {
             while let Some(g) = f.filter(|g| *g != first && seen <= faces.len()) {
                 (f, seen) = (next(g), seen + 1);
             }
-            if seen != faces.len() {
-                return Err(MeshFault::Pinched(v));
-            }
-        }
-        Ok(())
+            seen != faces.len()
+        };
+        let all = (0..self.positions.len() as u32).into_par_iter();
+        let pinched = all.with_min_len(4096).find_first(pinched);
+        pinched.map_or(Ok(()), |v| Err(MeshFault::Pinched(v)))
     }
 }
 
@@ -206,17 +197,25 @@ impl Adjacency {
         let corners = mesh.faces.iter().enumerate();
         let by_face = corners.flat_map(|(f, face)| face.map(|v| (v, f as u32)));
         let (face_starts, faces) = rows(count, by_face);
-        let (mut vertex_starts, mut vertices) = (vec![0], Vec::with_capacity(faces.len()));
-        let mut ring = vec![];
-        for (v, row) in face_starts.windows(2).enumerate() {
-            let here = faces[row[0] as usize..row[1] as usize].iter();
+        // Of some vertices one after the other: where each ring ends among theirs, all rings, the last of them.
+        let more = |[mut ends, mut rings, mut ring]: [Vec<u32>; 3], v: usize| {
+            let here = faces[face_starts[v] as usize..face_starts[v + 1] as usize].iter();
             let corners = here.flat_map(|f| mesh.faces[*f as usize]);
             ring.clear();
             ring.extend(corners.filter(|c| *c as usize != v));
             ring.sort_unstable();
             ring.dedup();
-            vertices.extend_from_slice(&ring);
-            vertex_starts.push(vertices.len() as u32);
+            rings.extend_from_slice(&ring);
+            ends.push(rings.len() as u32);
+            [ends, rings, ring]
+        };
+        let all = (0..count).into_par_iter().with_min_len(4096);
+        let parts: Vec<[Vec<u32>; 3]> = all.fold(Default::default, more).collect();
+        let (mut vertex_starts, mut vertices) = (vec![0], Vec::with_capacity(faces.len()));
+        for [ends, rings, _] in parts {
+            let before = vertices.len() as u32;
+            vertex_starts.extend(ends.iter().map(|end| before + end));
+            vertices.extend_from_slice(&rings);
         }
         Adjacency {
             face_starts,

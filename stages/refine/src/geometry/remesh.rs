@@ -5,7 +5,6 @@ mod collapse;
 mod edge;
 mod flip;
 mod order;
-mod rings;
 mod split;
 
 use nalgebra::Vector3;
@@ -87,6 +86,18 @@ mod tests {
                     && mesh.volume() < true_volume * 1.003
             );
         }
+    }
+
+    #[test]
+    fn any_number_of_threads_gives_the_same_surface() {
+        let ball = sphere(60.0, 6);
+        let by = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.unwrap().install(|| remesh(&ball, 3.0, 2))
+        };
+        let (one, four) = (by(1), by(4));
+        assert!(one.faces.len() < ball.faces.len());
+        assert_eq!(one, four);
     }
 
     #[test]

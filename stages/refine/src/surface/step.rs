@@ -96,6 +96,8 @@ pub fn displacements(
         })
     };
     let inverse: Vec<f64> = (0..count)
+        .into_par_iter()
+        .with_min_len(4096)
         .map(|v| {
             let own: f64 = laplacian.row(v).map(|(_, w)| w).sum();
             let beside = |(j, w): (usize, f64)| {

@@ -1,122 +1,153 @@
 //! Collapses short edges into their middles where the surface stays a manifold and no face turns.
 
-use super::edge::{area, middle, normal};
-use super::rings::Rings;
-use nalgebra::Vector3;
-use shape::Mesh;
+use super::edge::{middle, normal};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use shape::{Adjacency, Mesh};
+
+/// An edge as it is chosen: the bits of its length (one that is not negative is in the order of its bits), its ends.
+type Edge = (u64, u32, u32);
+
+/// How many edges are looked at side by side before the shortest of them are chosen (structural: speed alone).
+const SIDE_BY_SIDE: usize = 2048;
 
 /// Collapses edges shorter than `least` mm, none of them next to another, where no edge becomes
 /// longer than `most`; at most so many times.
 pub(super) fn collapse(mesh: &mut Mesh, least: f64, most: f64, times: usize) {
-    let mut rings = Rings::new(mesh);
-    let count = mesh.positions.len();
-    let mut into: Vec<u32> = (0..count as u32).collect();
-    let mut taken = vec![false; count];
-    let mut near = vec![true; count];
-    let mut before = vec![];
+    let count = mesh.positions.len() as u32;
+    let all = || (0..count).into_par_iter().with_min_len(4096);
+    let mut gone = vec![false; count as usize];
+    let mut near = vec![true; count as usize];
+    let mut around = Adjacency::new(mesh);
     for _ in 0..times {
-        let short = short(mesh, &rings, &near, least);
-        let mut all = vec![];
-        for (_, a, b) in short {
-            if !collapsed(mesh, &rings, &taken, &mut before, most, [a, b]) {
-                continue;
-            }
-            for v in [a, b].iter().flat_map(|v| rings.vertices(*v)) {
-                all.push(*v);
-                taken[*v as usize] = true;
-            }
-            rings.join(mesh, a, b);
-            into[b as usize] = a;
-        }
-        if all.is_empty() {
+        let chosen = chosen(mesh, &around, short(mesh, &around, &near, least), most);
+        if chosen.is_empty() {
             break;
         }
-        // What an edge becomes depends on the vertices around its ends: where none was taken, nothing is to be done.
-        all.iter().for_each(|v| taken[*v as usize] = false);
-        near.fill(false);
-        let beside = all.iter().flat_map(|v| rings.vertices(*v));
-        beside.chain(&all).for_each(|v| near[*v as usize] = true);
+        let mut into: Vec<u32> = (0..count).collect();
+        let mut new = vec![false; count as usize];
+        for (a, b, to) in chosen {
+            (mesh.positions[a as usize], mesh.positions[b as usize]) = (to, to);
+            (into[b as usize], gone[b as usize]) = (a, true);
+            let beside = around.vertices(a).iter().chain(around.vertices(b));
+            beside.for_each(|v| new[*v as usize] = true);
+        }
+        let named = mesh.faces.par_iter();
+        let named = named.map(|f| f.map(|v| into[v as usize]));
+        let whole = named.filter(|[a, b, c]| a != b && b != c && c != a);
+        mesh.faces = whole.collect();
+        around = Adjacency::new(mesh);
+        // What an edge becomes depends on the vertices around its ends: where none is new, nothing is to be done.
+        let beside = |v: u32| around.vertices(v).iter().any(|w| new[*w as usize]);
+        near = all().map(|v| new[v as usize] || beside(v)).collect();
     }
-    gather(mesh, &into);
+    gather(mesh, &gone);
 }
 
-/// The edges at some vertices that are shorter than `least` mm, the shortest first.
-fn short(mesh: &Mesh, rings: &Rings, near: &[bool], least: f64) -> Vec<(u64, u32, u32)> {
+/// The edges at some vertices that are shorter than `least` mm.
+fn short(mesh: &Mesh, around: &Adjacency, near: &[bool], least: f64) -> Vec<Edge> {
     let length = |a: u32, b: u32| (mesh.point(a) - mesh.point(b)).norm();
     let from = |a: u32| {
-        let ring = rings.vertices(a).iter().copied();
+        let ring = around.vertices(a).iter().copied();
         let once = ring.filter(move |b| *b > a || !near[*b as usize]);
         let each = once.map(move |b| (length(a, b), a.min(b), a.max(b)));
         each.filter(move |e| e.0 < least)
     };
-    // A length that is not negative is in the order of its bits.
-    let all = (0..near.len() as u32)
-        .filter(|a| near[*a as usize])
-        .flat_map(from);
-    let mut short: Vec<(u64, u32, u32)> = all.map(|(l, a, b)| (l.to_bits(), a, b)).collect();
-    short.sort_unstable();
-    short
+    let all = (0..near.len() as u32).into_par_iter().with_min_len(4096);
+    let some = all.filter(|a| near[*a as usize]).flat_map_iter(from);
+    some.map(|(l, a, b)| (l.to_bits(), a, b)).collect()
 }
 
-/// Moves both ends of an edge to its middle, unless one of the vertices around was taken. Whether it did; `before` is
-/// space to work in.
-fn collapsed(
-    mesh: &mut Mesh,
-    rings: &Rings,
-    taken: &[bool],
-    before: &mut Vec<([u32; 3], Vector3<f64>)>,
+/// Those that collapse, and where to: the shortest first, none of them next to another.
+fn chosen(
+    mesh: &Mesh,
+    around: &Adjacency,
+    mut short: Vec<Edge>,
     most: f64,
-    [a, b]: [u32; 2],
-) -> bool {
-    let ring = || rings.vertices(a).iter().chain(rings.vertices(b));
-    if [a, b].iter().chain(ring()).any(|v| taken[*v as usize]) {
-        return false;
+) -> Vec<(u32, u32, [f32; 3])> {
+    // Vertices that stay as they are, for they are beside a chosen edge, or one away.
+    let mut resting = vec![false; mesh.positions.len()];
+    let mut chosen = vec![];
+    while !short.is_empty() {
+        // Few of the longer ones are left when the shortest are chosen: they need no order before.
+        let some = short.len().min((short.len() / 8).max(SIDE_BY_SIDE));
+        if some < short.len() {
+            short.select_nth_unstable(some);
+        }
+        let longer = short.split_off(some);
+        short.par_sort_unstable();
+        for part in short.chunks(SIDE_BY_SIDE) {
+            let rests = |a: u32, b: u32| resting[a as usize] || resting[b as usize];
+            // What is around an edge that does not rest is as it was: all may be asked before any is chosen.
+            let ends = part.par_iter().with_min_len(64);
+            let ends = ends.map(|(_, a, b)| match rests(*a, *b) {
+                true => None,
+                false => collapsed(mesh, around, most, [*a, *b]),
+            });
+            let ends: Vec<Option<[f32; 3]>> = ends.collect();
+            for ((_, a, b), to) in part.iter().zip(ends) {
+                let free = !resting[*a as usize] && !resting[*b as usize];
+                let Some(to) = to.filter(|_| free) else {
+                    continue;
+                };
+                chosen.push((*a, *b, to));
+                let beside = around.vertices(*a).iter().chain(around.vertices(*b));
+                let farther = beside.flat_map(|v| around.vertices(*v));
+                farther.for_each(|v| resting[*v as usize] = true);
+            }
+        }
+        let left = longer.into_par_iter();
+        let left = left.filter(|(_, a, b)| !(resting[*a as usize] || resting[*b as usize]));
+        short = left.collect();
     }
-    let opposite = || {
-        let of_a = rings.vertices(a).iter();
-        of_a.filter(|v| rings.vertices(b).contains(v))
-    };
-    let lean = |v: u32| rings.vertices(v).len() <= 3;
-    if opposite().count() != 2 || opposite().any(|v| lean(*v)) || (lean(a) && lean(b)) {
-        return false;
-    }
-    let normals = [a, b].map(|v| normal(mesh, rings.faces(v)));
-    let to = middle(mesh, normals, a, b);
-    let old = [mesh.positions[a as usize], mesh.positions[b as usize]];
-    let faces = rings.faces(a).iter().chain(rings.faces(b));
-    let faces = faces.map(|f| mesh.faces[*f as usize]);
-    let kept = faces.filter(|f| !(f.contains(&a) && f.contains(&b)));
-    before.clear();
-    before.extend(kept.map(|f| (f, area(mesh, f))));
-    (mesh.positions[a as usize], mesh.positions[b as usize]) = (to, to);
-    let whole = before.iter().all(|(f, before)| {
-        let after = area(mesh, *f);
-        after.dot(before) > 0.3 * after.norm() * before.norm() && after.norm() > 1e-9
-    });
-    let long = ring().any(|v| (mesh.point(*v) - mesh.point(a)).norm() > most && *v != a && *v != b);
-    if !whole || long {
-        (mesh.positions[a as usize], mesh.positions[b as usize]) = (old[0], old[1]);
-        return false;
-    }
-    true
+    chosen
 }
 
-/// Names each vertex by what it went into, and leaves out what nothing names.
-fn gather(mesh: &mut Mesh, into: &[u32]) {
-    let mut place = vec![u32::MAX; into.len()];
-    let mut positions = Vec::new();
-    for (v, to) in into.iter().enumerate() {
-        if *to == v as u32 {
-            place[v] = positions.len() as u32;
-            positions.push(mesh.positions[v]);
-        }
+/// Where an edge collapses to, unless the surface would fold, tear or get too long an edge.
+fn collapsed(mesh: &Mesh, around: &Adjacency, most: f64, [a, b]: [u32; 2]) -> Option<[f32; 3]> {
+    let opposite = || {
+        let of_a = around.vertices(a).iter();
+        of_a.filter(|v| around.vertices(b).contains(v))
+    };
+    let lean = |v: u32| around.vertices(v).len() <= 3;
+    if opposite().count() != 2 || opposite().any(|v| lean(*v)) || (lean(a) && lean(b)) {
+        return None;
     }
-    let named = mesh
-        .faces
-        .iter()
-        .map(|f| f.map(|v| place[into[v as usize] as usize]));
-    mesh.faces = named
-        .filter(|[a, b, c]| a != b && b != c && c != a)
-        .collect();
+    let normals = [a, b].map(|v| normal(mesh, around.faces(v)));
+    let to = middle(mesh, normals, a, b);
+    let there = Point3::from(to.map(f64::from));
+    let area = |face: [u32; 3], at: &dyn Fn(u32) -> Point3<f64>| -> Vector3<f64> {
+        let [p, q, r] = face.map(at);
+        (q - p).cross(&(r - p))
+    };
+    let moved = |v: u32| {
+        if v == a || v == b {
+            there
+        } else {
+            mesh.point(v)
+        }
+    };
+    let faces = around.faces(a).iter().chain(around.faces(b));
+    let faces = faces.map(|f| mesh.faces[*f as usize]);
+    let mut kept = faces.filter(|f| !(f.contains(&a) && f.contains(&b)));
+    let whole = kept.all(|f| {
+        let (before, after) = (area(f, &|v| mesh.point(v)), area(f, &moved));
+        after.dot(&before) > 0.3 * after.norm() * before.norm() && after.norm() > 1e-9
+    });
+    let mut ring = around.vertices(a).iter().chain(around.vertices(b));
+    let long = |v: &u32| (mesh.point(*v) - there).norm() > most && *v != a && *v != b;
+    (whole && !ring.any(long)).then_some(to)
+}
+
+/// Leaves out the vertices that are gone, which no face names.
+fn gather(mesh: &mut Mesh, gone: &[bool]) {
+    let mut place = vec![u32::MAX; gone.len()];
+    let mut positions = Vec::new();
+    for (v, position) in mesh.positions.iter().enumerate().filter(|(v, _)| !gone[*v]) {
+        place[v] = positions.len() as u32;
+        positions.push(*position);
+    }
+    let named = mesh.faces.iter().map(|f| f.map(|v| place[v as usize]));
+    mesh.faces = named.collect();
     mesh.positions = positions;
 }
