@@ -6,7 +6,8 @@ use crate::lengths::{Lengths, ShownIn};
 use crate::overlay::{self, Shown};
 use crate::page::{self, Content};
 use crate::paint::Paint;
-use shape::{Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Textured};
+use rayon::prelude::*;
+use shape::{Cameras, Document, Girths, Landmarks, Masks, Mesh, Photo, PhotoId, Photos, Textured};
 use stage::{Ctx, Stage, Stop, message};
 use std::sync::Arc;
 
@@ -162,41 +163,49 @@ fn figures(
         .min(1.0);
     let most_px = (f64::from(p.photo_px) * crowd) as usize;
     let steps = ctx.steps("photos", count);
-    let mut figures = String::new();
-    for (id, photo) in photos.iter() {
+    let faced = |(id, photo): (PhotoId, &'_ Photo)| {
         let camera = cameras.views.get(id).map(|view| &view.camera);
+        let face = camera.map(|c| face::on_photo(head, c)).unwrap_or_default();
+        if p.photos && p.blur_face && face.is_empty() {
+            ctx.warn(message!(NO_FACE).of_what(&photo.name));
+        }
+        face
+    };
+    let faces: Vec<_> = photos.iter().map(faced).collect();
+    let one = |k: usize, paint: Option<&mut Paint<'_>>| -> Result<String, Stop> {
+        let (id, photo) = (PhotoId(k as u32), &photos.photos[k]);
         let size = [photo.width as usize, photo.height as usize];
         let factor = overlay::factor(size[1], most_px);
         let mut shown = Shown {
-            index: id.0 as usize,
+            index: k,
             name: &photo.name,
             size,
             factor,
             photo: None,
             mask: masks.views.get(id),
-            camera,
+            camera: cameras.views.get(id).map(|view| &view.camera),
         };
-        if p.photos {
-            let at_px = camera.map(|c| face::on_photo(head, c)).unwrap_or_default();
-            if p.blur_face && at_px.is_empty() {
-                ctx.warn(message!(NO_FACE).of_what(&photo.name));
-            } else {
-                let mut pixels = photo.decode()?;
-                if p.blur_face {
-                    face::blur(&mut pixels, &at_px);
-                }
-                if let (Some(paint), Some(mask), Some(camera)) =
-                    (paint.as_mut(), shown.mask, camera)
-                {
-                    paint.add(&pixels, mask, camera);
-                }
-                shown.photo = Some(overlay::reduced(&pixels, factor));
+        if p.photos && !(p.blur_face && faces[k].is_empty()) {
+            let mut pixels = photo.decode()?;
+            if p.blur_face {
+                face::blur(&mut pixels, &faces[k]);
             }
+            if let (Some(paint), Some(mask), Some(camera)) = (paint, shown.mask, shown.camera) {
+                paint.add(&pixels, mask, camera);
+            }
+            shown.photo = Some(overlay::reduced(&pixels, factor));
         }
-        figures += &overlay::figure(&shown, girths);
         steps.tick()?;
+        Ok(overlay::figure(&shown, girths))
+    };
+    match paint {
+        // What is painted by one photo is painted on by the next.
+        Some(paint) => (0..count).map(|k| one(k, Some(&mut *paint))).collect(),
+        None => {
+            let all = (0..count).into_par_iter().map(|k| one(k, None));
+            Ok(all.collect::<Result<Vec<_>, Stop>>()?.concat())
+        }
     }
-    Ok(figures)
 }
 
 /// The surfaces to switch between, the best first; equal ones once.

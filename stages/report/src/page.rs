@@ -3,6 +3,7 @@
 use crate::answer::Answer;
 use crate::lengths::Lengths;
 use crate::{derived, profile, ring, scene, sides, tables};
+use rayon::prelude::*;
 use shape::{Cameras, Girths, Landmarks, Length, Mesh, Photos, Scale, Textured, Unit};
 
 /// A surface that the viewer can show.
@@ -73,7 +74,6 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             }
         }
     };
-    let meshes: Vec<_> = content.surfaces.iter().enumerate().map(packed).collect();
     let of_photos = turn.into_iter().flat_map(|(photos, cameras)| {
         let camera = |(id, _)| cameras.views.get(id).map(|v| &v.camera);
         photos.iter().map(camera)
@@ -86,6 +86,11 @@ pub(crate) fn page(content: &Content<'_>) -> String {
     let ground = content.landmarks.and_then(|l| l.ground_mm);
     let lowest = || content.body.bounds().map_or(0.0, |(low, _)| low.z);
     let ground = ground.unwrap_or_else(|| turn.map_or_else(lowest, |(_, c)| c.ground_mm));
+    let surfaces = content.surfaces.par_iter().enumerate();
+    let (meshes, sides) = rayon::join(
+        || surfaces.map(packed).collect::<Vec<_>>(),
+        || sides::figure(content.body, girths, front, lengths),
+    );
     let scene = serde_json::json!({
         "meshes": meshes, "tapes": scene::tapes(girths, lengths), "front": front,
         "views": scene::views(of_photos), "measured": whole.then_some(at), "lengths": scene::written(girths, lengths),
@@ -108,7 +113,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("girths", tables::girths(girths, lengths)),
             ("unit", tables::unit(girths, lengths)),
             ("derived", derived::derived(girths, lengths)),
-            ("sides", sides::figure(content.body, girths, front, lengths)),
+            ("sides", sides),
             ("coarse", coarser(faces, content.body.faces.len())),
             ("profile", profile::svg(girths, ground, lengths)),
             (

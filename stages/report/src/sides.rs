@@ -6,6 +6,7 @@ use crate::tables::escaped;
 use crate::tape;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use nalgebra::Vector3;
+use rayon::prelude::*;
 use shape::{Girth, Girths, Image, Mesh, Rgb, fill_triangle, rgb_to_jpeg};
 use std::fmt::Write;
 
@@ -48,9 +49,10 @@ pub(crate) fn figure(body: &Mesh, girths: &Girths, front: [f64; 3], lengths: Len
     let mut svg = format!(
         "<svg class=\"sides\" viewBox=\"0 0 {whole:.0} {TALL}\" role=\"img\" aria-label=\"the body from the front, the left and behind, with the tapes\">"
     );
-    for (k, side) in sides.iter().enumerate() {
+    let jpeg = |side| rgb_to_jpeg(&drawn(body, side, [scale, hi.z], wide), 80);
+    let jpegs: Vec<Vec<u8>> = sides.par_iter().map(jpeg).collect();
+    for (k, (side, jpeg)) in sides.iter().zip(jpegs).enumerate() {
         let from = (k * wide) as f64 + if k == 0 { 0.0 } else { NAMES };
-        let jpeg = rgb_to_jpeg(&drawn(body, side, [scale, hi.z], wide), 80);
         let _ = write!(
             svg,
             "<image x=\"{from:.0}\" width=\"{wide}\" height=\"{TALL}\" href=\"data:image/jpeg;base64,{}\"/>",
