@@ -12,7 +12,7 @@ const UNSOURCED: [(&str, usize); 13] = [
     ("follow", 10),
     ("hull", 3),
     ("io", 5),
-    ("measure", 123),
+    ("measure", 120),
     ("person", 4),
     ("pose", 88),
     ("refine", 8),

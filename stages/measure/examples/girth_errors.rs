@@ -1,9 +1,10 @@
 //! Girths of made bodies end to end against their truth, as the table that coverage is tested on.
 //!
 //! ```sh
-//! cargo run --release -p measure --features tables --example girth_errors -- MADE > models/tables/girths.csv
+//! cargo run --release -p measure --features tables --example girth_errors -- MADE [hull] > models/tables/girths.csv
 //! ```
 //!
+//! `hull` measures them as if they were carved from outlines that show nothing more.
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote. A row a girth: `tape`, its 90 %
 //! interval and the truth (the template's tape at the true plane) in millimetres; or `refused` with the reason.
 //! Waist and chest of bodies that the model was fitted on are in-sample: `[[held_out]]` of the model has those.
@@ -67,13 +68,14 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
     };
     let landmarks =
         FindLandmarks::run(&Default::default(), input, &Ctx::alone()).map_err(stopped)?;
+    let hull = std::env::args().nth(2).is_some_and(|word| word == "hull");
     let input = GirthInput {
         mesh,
         features,
         landmarks: Arc::new(landmarks),
         cameras: None,
         photos: None,
-        masks: None,
+        masks: hull.then(Default::default),
         person: None,
         lost_parts: None,
     };

@@ -85,7 +85,7 @@ const REMESHED: f64 = 0.045;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 36;
+    const VERSION: u32 = 37;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;

@@ -4,8 +4,9 @@
 use crate::features::limb::cuts::holds_origin;
 use crate::geometry::carry::{first_reaches, ray};
 use crate::geometry::section::{length, tape};
+use crate::sections::bridge::{BRIDGED, bridge, walked};
 use crate::sections::fold::fold;
-use crate::sections::split::{bridge, even};
+use crate::sections::split::even;
 use std::f64::consts::TAU;
 
 /// An arm freed of the trunk.
@@ -21,11 +22,6 @@ pub(crate) struct FreedArm {
 
 /// Samples on the way around an arm of the given radius (structural: samples).
 const SAMPLES: f64 = 180.0;
-/// Standard deviation of a bridged tape, as a share of what the bridge adds to a tape straight from fold to fold, which is
-/// the least that a convex arm can have. Of ovals it is 0.22 (a test below); 0.3 of 22 arms of two scans and five other
-/// bodies whose trunks were widened into them by 6, 15 and 28 mm.
-const BRIDGED: f64 = 0.3;
-
 /// Frees an arm of the trunk. The outline is about the arm's middle, `outward` points away from the trunk; `clear` is a section
 /// of the arm alone, about its own middle. `None` where the outline does not go around the middle, or has no two folds.
 pub(crate) fn freed_of_trunk(
@@ -68,13 +64,9 @@ pub(crate) fn freed_of_trunk(
     let mut path = vec![a];
     path.extend(&arc);
     path.push(b);
-    let bridged: f64 = path
-        .windows(2)
-        .map(|w| libm::hypot(w[1][0] - w[0][0], w[1][1] - w[0][1]))
-        .sum();
     own.extend(arc);
     Some(FreedArm {
-        share: bridged / length(&own),
+        share: walked(&path) / length(&own),
         sigma_mm: BRIDGED * (tape(&own) - chord_mm),
         outline: own,
     })

@@ -11,7 +11,7 @@ use shape::{Mesh, Plane};
 use std::f64::consts::PI;
 
 /// How round an arm's own section is at least: its area against a circle's of the same tape.
-const ROUND: f64 = 0.93;
+pub(super) const ROUND: f64 = 0.93;
 /// As round as this, nothing hangs on it.
 pub(super) const CLEAN: f64 = 0.96;
 /// How far down the arm a clear section is looked for, as a share of stature: above the elbow, which is
@@ -23,6 +23,23 @@ const STEP: f64 = 0.004;
 /// A ring's area against a circle's of the same tape.
 pub(super) fn round(ring: &Ring) -> f64 {
     4.0 * PI * ring.area / (ring.tape * ring.tape)
+}
+
+/// how far a ring is from all the rest of its plane; endless where it is alone. \[mm\]
+pub(super) fn gap(ring: &Ring, all: &[Ring]) -> f64 {
+    let rest = all
+        .iter()
+        .filter(|o| (o.centre - ring.centre).norm() > 1e-6);
+    let pieces = rest.flat_map(|o| o.curve.iter().zip(o.curve.iter().cycle().skip(1)));
+    let far = |(a, b): (&Point3<f64>, &Point3<f64>)| {
+        let along = b - a;
+        let nearest = |p: &Point3<f64>| {
+            let t = (p - a).dot(&along) / along.norm_squared().max(1e-12);
+            (p - (a + along * t.clamp(0.0, 1.0))).norm()
+        };
+        ring.curve.iter().map(nearest).fold(f64::MAX, f64::min)
+    };
+    pieces.map(far).fold(f64::MAX, f64::min)
 }
 
 /// An arm from a plane of it down.

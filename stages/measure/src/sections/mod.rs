@@ -5,6 +5,7 @@ pub(crate) mod across_arm_of_hull;
 pub(crate) mod across_leg;
 pub(crate) mod arm_inferred;
 pub(crate) mod beside_trunk;
+pub(crate) mod bridge;
 pub(crate) mod down_arm;
 pub(crate) mod fold;
 pub(crate) mod hands;

@@ -1,6 +1,7 @@
 //! Trunk and arms that are one on the surface, parted in a section: where the trunk's outline stops
 //! turning round toward its side, an arm or the filled fold before it begins.
 
+use super::bridge::{bridge, walked};
 use super::fold::{STRAIGHT, fold};
 use std::f64::consts::TAU;
 
@@ -11,7 +12,7 @@ pub struct Parted {
     pub points: Vec<[f64; 2]>,
     /// Share of that outline that is bridge.
     pub share: f64,
-    /// Half the span between the shortest and the longest bridge that a convex trunk allows. \[mm\]
+    /// Standard deviation of its tape by what is hidden. \[mm\]
     pub sigma_mm: f64,
 }
 
@@ -135,33 +136,6 @@ fn beyond_fold(points: &[[f64; 2]], side: f64, fore: f64) -> Option<Seam> {
     (side * b[0] > 0.0).then_some(own)
 }
 
-/// A convex bridge between two points that leaves and arrives along given ways: the conic that is
-/// a circle's arc where both are alike. Returns its points and its doubt.
-pub(crate) fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
-    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-    let chord = libm::hypot(dx, dy);
-    let cross = u[0] * v[1] - u[1] * v[0];
-    // a + s u = b + t v
-    let s = (dx * v[1] - dy * v[0]) / cross;
-    let t = (dx * u[1] - dy * u[0]) / cross;
-    let within = |x: f64| x.is_finite() && x > 0.0 && x < 1.5 * chord;
-    if chord < 1e-6 || !within(s) || !within(t) {
-        return (vec![], 0.02 * chord);
-    }
-    let x = [a[0] + s * u[0], a[1] + s * u[1]];
-    // Half the turn from u to -v.
-    let turn = -(u[0] * v[0] + u[1] * v[1]);
-    let weight = ((1.0 + turn) / 2.0).clamp(0.0, 1.0).sqrt();
-    let conic = |k: usize| {
-        let t = k as f64 / 32.0;
-        let (p, q, r) = ((1.0 - t).powi(2), 2.0 * t * (1.0 - t) * weight, t * t);
-        let sum = p + q + r;
-        [0, 1].map(|i| (p * a[i] + q * x[i] + r * b[i]) / sum)
-    };
-    let doubt = (s + t - chord) / 2.0;
-    ((1..32).map(conic).collect(), doubt)
-}
-
 /// Parts the arms of the given sides (1 along the first axis, -1 against it) from a trunk. `outline`
 /// is in axes left and forward; `middle` is within the trunk. `None` where no seam is to be found.
 pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<Parted> {
@@ -188,7 +162,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
         };
         let (arc, doubt) = bridge(points[from.at], from.way, points[to.at], to.way);
         cuts.push((from.at, to.at, arc));
-        sigma_mm += doubt;
+        sigma_mm = libm::hypot(sigma_mm, doubt);
     }
     let n = points.len();
     let inside = |i: usize| {
@@ -210,11 +184,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
         let mut path = vec![points[*from]];
         path.extend(arc);
         path.push(points[*to]);
-        share += path
-            .windows(2)
-            .map(|w| libm::hypot(w[1][0] - w[0][0], w[1][1] - w[0][1]))
-            .sum::<f64>()
-            / whole;
+        share += walked(&path) / whole;
     }
     (share < 0.5 && out.len() > n / 4).then_some(Parted {
         points: out,

@@ -238,8 +238,7 @@ fn cut_off(body: &Body, sides: &[f64], ring: &Ring) -> Option<SectionMeasurement
         tape_mm: tape(&free.points),
         spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
         carried: free.share,
-        // Anywhere between the shortest and the longest that a convex outline allows.
-        sigma_mm: free.sigma_mm / 3f64.sqrt(),
+        sigma_mm: free.sigma_mm,
     })
 }
 

@@ -53,18 +53,14 @@ struct Beside<'a> {
 }
 
 impl Beside<'_> {
-    /// How much longer the tape is in another plane. One where limbs are parted otherwise than here
-    /// tells of the parting, not of the level.
+    /// How much longer the tape is in another plane, however limbs are parted there.
     fn change(&self, plane: Plane) -> Option<f64> {
         let moved = Landmark {
             plane,
             ..self.landmark.clone()
         };
-        let tape_mm = self.here.tape_mm;
         let there = taken(self.mesh, Some(self.body), &moved).ok()?;
-        let change = there.tape_mm - tape_mm;
-        let alike = (there.carried > 0.0) == (self.here.carried > 0.0);
-        (alike || change.abs() < 0.05 * tape_mm).then_some(change)
+        Some(there.tape_mm - self.here.tape_mm)
     }
 
     /// Root mean square of the changes to two planes.

@@ -15,6 +15,7 @@ mod limbs;
 #[path = "../made/mod.rs"]
 mod made;
 mod made_girths;
+mod nearly_touching;
 mod necks;
 mod refit;
 mod sections;
