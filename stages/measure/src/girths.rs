@@ -10,12 +10,13 @@ use crate::sections::picked::picked;
 use crate::sections::taken::taken;
 use crate::uncertainty::clothes::{Hem, hem};
 use crate::uncertainty::contradicted::Outlines;
+use crate::uncertainty::covered::Covers;
 use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{Borders, by_silhouettes, open_mm};
 use crate::uncertainty::reported::{Seen, Sure};
 use shape::{
     BodyFeatures, BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh,
-    Missing, Person, Photos, Refusal,
+    Missing, Person, Photos, Refusal, girth_names,
 };
 use stage::{Ctx, Message, Stage, Stop, message};
 use std::f64::consts::TAU;
@@ -23,6 +24,7 @@ use std::sync::Arc;
 
 stage::messages! {
     NO_DAY = "warn-born-no-day": "the day of birth is given, but not that of the capture, so the age is not known: set `date` in capture.toml, or give --date";
+    COVERED = "warn-covered": "the section crosses a hole of the scan that is closed by a flat cover: the interval is wider by what the skin may bulge there";
     BORN_LATER = "warn-born-later": "the capture is before the day of birth: correct `born` or `date` in capture.toml";
 }
 
@@ -83,6 +85,9 @@ const CARVED: f64 = 0.1;
 /// fifty bodies of `models/made/strangers.py` lose or gain where they are remeshed.
 const REMESHED: f64 = 0.045;
 
+/// What a girth is shown to; what is shorter is not remarked (structural). \[mm\]
+const SHOWN_MM: f64 = 1.0;
+
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
     const VERSION: u32 = 37;
@@ -103,13 +108,14 @@ impl Stage for Measure {
             ..Girths::default()
         };
         let (outlines, hem) = (outlines(&input, body), body.and_then(hem));
+        let covers = Covers::of(mesh);
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
         let lost = |l: &&Landmark| lost(&input, l).is_some();
         for landmark in landmarks.found.iter().filter(|l| !lost(l)) {
             match taken(mesh, body, landmark) {
                 Ok(here) => {
-                    let by = (outlines.as_ref(), hem);
+                    let by = (outlines.as_ref(), hem, &covers);
                     let seen = seen(body, landmark, &here, &input, by);
                     all.push((landmark, here, seen));
                 }
@@ -121,6 +127,7 @@ impl Stage for Measure {
         for (landmark, here, seen) in all {
             let level = body.map_or(Level::default(), |b| level_spread(mesh, b, landmark, &here));
             let worn = hem.filter(|_| seen.worn_mm > 0.0);
+            remark_cover(landmark, &seen, ctx);
             match sure.girth(landmark, here, &seen, level) {
                 Ok(girth) => girths.girths.push(girth),
                 Err(reason) => refuse(landmark, (reason, worn), &mut girths),
@@ -220,14 +227,24 @@ fn lost(input: &GirthInput, landmark: &Landmark) -> Option<Message> {
     left_out(input.lost_parts.as_deref()?, part)
 }
 
+/// Remarks that a section crosses a hole that was closed, where that shows in its interval.
+fn remark_cover(landmark: &Landmark, seen: &Seen, ctx: &Ctx<'_>) {
+    if seen.covered_mm > SHOWN_MM {
+        let name = girth_names(&[(Some(landmark.id), &landmark.name)]);
+        ctx.warn(message!(COVERED).of_what(name));
+    }
+}
+
 /// What outlines tell of a section.
 fn seen(
     body: Option<&Body>,
     landmark: &Landmark,
     here: &SectionMeasurement,
     input: &GirthInput,
-    (outlines, hem): (Option<&Outlines>, Option<Hem>),
+    (outlines, hem, covers): (Option<&Outlines>, Option<Hem>, &Covers),
 ) -> Seen {
+    let cut = (here.contour.as_slice(), &landmark.plane);
+    let covered_mm = covers.bulge_mm(&input.mesh, cut, here.tape_mm);
     let worn_mm = hem.map_or(0.0, |hem| hem.around_mm(landmark));
     let (cameras, masks) = (input.cameras.as_deref(), input.masks.as_deref());
     let (Some(body), Some((cameras, masks))) = (body, cameras.zip(masks)) else {
@@ -236,6 +253,7 @@ fn seen(
             // A surface that no photos made has no corners of theirs.
             open_mm: cameras.is_none().then_some(0.0),
             left_out_mm: 0.0,
+            covered_mm,
             worn_mm,
         };
     };
@@ -243,6 +261,7 @@ fn seen(
         borders: by_silhouettes(body, landmark, here, cameras, masks),
         open_mm: Some(open_mm(body, landmark, here, cameras)),
         left_out_mm: outlines.map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
+        covered_mm,
         worn_mm,
     }
 }

@@ -21,6 +21,8 @@ pub(crate) struct Seen {
     pub(crate) open_mm: Option<f64>,
     /// How much longer the tape would be with what one photo alone denies, against all the rest; 0 where nobody looked. \[mm\]
     pub(crate) left_out_mm: f64,
+    /// How much longer the tape is if the skin bulges over holes that are closed flat; 0 where none is in the section. \[mm\]
+    pub(crate) covered_mm: f64,
     /// How much longer the tape is by clothes that hang away from the legs at their hem; 0 where none do. \[mm\]
     pub(crate) worn_mm: f64,
 }
@@ -101,7 +103,7 @@ impl Sure<'_> {
                 together((here.tape_mm, TAU * surface), outline),
             ),
         };
-        let width = libm::hypot(width, seen.left_out_mm);
+        let width = libm::hypot(libm::hypot(width, seen.left_out_mm), seen.covered_mm);
         let mut sigmas = Sigmas {
             level_mm: level.against_definition,
             surface_mm: Some(width),
@@ -234,6 +236,7 @@ mod tests {
             borders: Borders::Hidden,
             open_mm: Some(open),
             left_out_mm: 0.0,
+            covered_mm: 0.0,
             worn_mm: 0.0,
         };
         let (tape, sigma) = round(1000.0, (3.0, 0.5), Some((980.0, 1.0)), &seen(40.0));

@@ -5,6 +5,7 @@ mod bad_input;
 mod bodies;
 mod causes;
 mod clothes;
+mod covered;
 mod cut_off;
 mod declared;
 mod disputed;
