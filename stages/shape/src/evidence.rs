@@ -47,6 +47,9 @@ pub struct PhotoEvidence {
     pub against_disk: Vec<f32>,
     /// Log-odds of the body by a learned sense of a person; empty where the photos show none, or nobody asked. \[nats\]
     pub person: Vec<f32>,
+    /// Light that the disk gains by what it mirrors of the body, three channels a pixel; empty where it mirrors nothing that
+    /// shows, or nobody asked. \[1 is white\]
+    pub mirrored: Vec<f32>,
     /// What is certain.
     pub known: Vec<Known>,
     /// How far the photo and what was expected of it differ without a reason. \[levels\]
@@ -57,7 +60,12 @@ impl PhotoEvidence {
     /// Hash of all of it: for [`stage::Ctx::part`].
     pub fn content(&self) -> Hash {
         let known: Vec<u8> = self.known.iter().map(|k| *k as u8).collect();
-        let costs = [&self.background, &self.against_disk, &self.person];
+        let costs = [
+            &self.background,
+            &self.against_disk,
+            &self.person,
+            &self.mirrored,
+        ];
         let mut bytes = format!("{} {}", self.factor, self.noise_levels).into_bytes();
         let mut add = |part: &[u8]| bytes.extend_from_slice(stage::hash(part).as_bytes());
         add(self.photo.data.as_flattened());
@@ -90,12 +98,12 @@ pub struct Evidence {
 /// Photo, size, factor, noise.
 type Row = (u32, [u32; 2], u32, f32);
 
-/// The sections of a photo's costs.
-const COSTS: [&str; 3] = ["background", "against disk", "person"];
+/// The sections of a photo's costs, and of the light that it gains.
+const COSTS: [&str; 4] = ["background", "against disk", "person", "mirrored"];
 
 impl Artifact for Evidence {
     const KIND: &'static str = "evidence";
-    const FORMAT: u32 = 4;
+    const FORMAT: u32 = 5;
 
     fn pack(&self, to: &mut Packer) {
         let row = |(id, e): (PhotoId, &PhotoEvidence)| -> Row {
@@ -106,7 +114,7 @@ impl Artifact for Evidence {
         for (PhotoId(id), e) in self.views.iter() {
             to.section(format!("photo {id}"), &e.photo.data);
             to.section(format!("known {id}"), &Known::bytes(&e.known));
-            let costs = [&e.background, &e.against_disk, &e.person];
+            let costs = [&e.background, &e.against_disk, &e.person, &e.mirrored];
             for (name, cost) in COSTS.iter().zip(costs) {
                 let (lengths, kept) = repeats(cost);
                 to.section(format!("{name} {id} lengths"), &lengths);
@@ -126,7 +134,7 @@ impl Artifact for Evidence {
             };
             let background = cost(COSTS[0], count)?;
             // Where nobody asked there is none.
-            let if_asked = |name: &str| -> Result<Vec<f32>, Corrupt> {
+            let if_asked = |name: &str, count: usize| -> Result<Vec<f32>, Corrupt> {
                 let asked: Vec<u32> = from.section(&format!("{name} {id} lengths"))?;
                 let asked = asked.iter().any(|length| *length > 0);
                 cost(name, if asked { count } else { 0 })
@@ -137,8 +145,9 @@ impl Artifact for Evidence {
             let evidence = PhotoEvidence {
                 factor,
                 background,
-                against_disk: if_asked(COSTS[1])?,
-                person: if_asked(COSTS[2])?,
+                against_disk: if_asked(COSTS[1], count)?,
+                person: if_asked(COSTS[2], count)?,
+                mirrored: if_asked(COSTS[3], 3 * count)?,
                 known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
                 photo,
                 noise_levels,
@@ -162,6 +171,7 @@ mod tests {
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
             against_disk: against_disk.to_vec(),
             person: person.to_vec(),
+            mirrored: person.repeat(3),
             known: vec![
                 Known::Unknown,
                 Known::Unknown,

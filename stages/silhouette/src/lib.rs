@@ -38,6 +38,7 @@
 //! | U(background) | -ln p(pixel given the scene): its colour, edges that move by a part of a pixel, the light of its ground, and that of its neighbourhood | `likelihood/background.rs`, `grounds.rs`, `neighbourhoods.rs` |
 //! | | … with the noise of that photo, which makes the density thinner by 3 ln σ | `likelihood/noise.rs` |
 //! | | … on the disk also its grain: what a window leaves at the best light | `likelihood/grain.rs`, `grain/in_photo.rs`, `grain/window.rs` |
+//! | | … where a glossy disk mirrors the body: the less of the disk as it is, and with a share of the body's light | `likelihood/mirror.rs` |
 //! | | … where nobody saw the scene: colours of the scene beside, of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
@@ -63,6 +64,7 @@
 mod align;
 mod border;
 mod cells;
+mod consensus;
 mod cut;
 mod empty_scene;
 mod grabcut;

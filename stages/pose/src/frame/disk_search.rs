@@ -60,8 +60,12 @@ pub(crate) fn edge(
     let given = rig.disk_diameter_mm.is_some() || rig.reference.as_ref().is_some_and(disk);
     let heights = heights(cameras, body, tags, ring)?;
     let least = tags.map_or(0.0, |tags| tags.reach);
-    let low = low(cameras);
-    let may = |z: f64, r: f64| r >= least && low.is_none_or(|low| z <= low + THICK * r);
+    // Silhouettes show how tall the subject is, and whether that contradicts the disk.
+    let smallest = smallest(cameras, rig).filter(|_| body.is_none());
+    let narrow = smallest.map_or(least, |r| least.max(r * (1.0 - rules.contradiction)));
+    // Next to nothing that turns is lower: subject and disk are above.
+    let low = turning(cameras, MIRRORED);
+    let may = |z: f64, r: f64| r >= narrow && low.is_none_or(|low| z <= low + THICK * r);
     let search = |[low, high]: [f64; 2], least_standout: f64| {
         let radii = [(low * ring).max(least), high * ring];
         let camera = cameras.views.values().next()?.camera;
@@ -99,12 +103,19 @@ const THICK: f64 = 0.5;
 /// Share of the features that may be lower, as what a glossy disk mirrors (by hand).
 const MIRRORED: f64 = 0.05;
 
-/// Height below which next to nothing turns: subject and disk are above. `None` without features.
-fn low(cameras: &Cameras) -> Option<f64> {
+/// Height below which such a share of the features that turn is. `None` without features.
+fn turning(cameras: &Cameras, share: f64) -> Option<f64> {
     let mut all: Vec<f32> = cameras.points.iter().map(|p| p[2]).collect();
     all.sort_by(f32::total_cmp);
-    let at = (all.len() as f64 * MIRRORED) as usize;
+    let at = (all.len() as f64 * share) as usize;
     all.get(at).map(|z| f64::from(*z))
+}
+
+/// The disk as small as it can be, where its size and the subject's are given: what turns is not taller than the subject.
+fn smallest(cameras: &Cameras, rig: &Rig) -> Option<f64> {
+    let shares = [MIRRORED, 1.0 - MIRRORED];
+    let [low, high] = shares.map(|share| turning(cameras, share));
+    Some(rig.disk_diameter_mm? / 2.0 * (high? - low?) / rig.stature_mm?)
 }
 
 /// Distance of the first camera from the axis.
@@ -129,4 +140,32 @@ fn heights(
         }
         (None, None) => [centre.z - 0.8 * ring, centre.z - 0.1 * ring],
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shape::Scale;
+
+    #[test]
+    fn the_circle_that_toes_sweep_is_too_small_for_the_disk_of_somebody_so_tall() {
+        // Somebody of 1.7 m and a disk of 0.7 m, with features all over, where a unit is a millimetre.
+        let rig = Rig {
+            stature_mm: Some(1700.0),
+            disk_diameter_mm: Some(700.0),
+            ..Rig::default()
+        };
+        let points = (0..1000).map(|i| [0.0, 0.0, 1.7 * i as f32]);
+        let cameras = Cameras {
+            points: points.collect(),
+            ..Cameras::of([], Scale::Nothing)
+        };
+        let least = smallest(&cameras, &rig).unwrap() * 0.8;
+        assert!(least > 220.0 && least < 350.0, "{least}");
+        let of_nobody = Rig {
+            stature_mm: None,
+            ..rig
+        };
+        assert_eq!(smallest(&cameras, &of_nobody), None);
+    }
 }

@@ -8,6 +8,7 @@ use crate::label::color_cut::{Settings, cut};
 use crate::likelihood::background::{FLAT, Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
+use crate::likelihood::mirror::mirroring;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Mask, Rgb};
@@ -44,7 +45,16 @@ pub fn fine(
         ground: &|x, y| grounds.at(x, y),
         reach: REACH,
     };
-    let cost = settled.cost(&likeness, without, &ready.strange);
+    let mut cost = settled.cost(&likeness, without, &ready.strange);
+    if !ready.mirrored.is_empty() {
+        let mirroring = Likeness {
+            expected: &mirroring(image, &ready.mirrored, factor),
+            ..likeness
+        };
+        let other = settled.cost(&mirroring, without, &ready.strange);
+        let both = cost.iter_mut().zip(&other);
+        both.for_each(|(cost, other)| *cost = cost.min(*other));
+    }
     let known = |i: usize| settled.at(i % width, i / width);
     let mut sides = cut_again(pixels, factor, coarse, &band, &|window| {
         let rows = window.y..window.y + window.height;

@@ -109,6 +109,7 @@ mod tests {
             photo: Rgb::filled(SIDE, SIDE, [0; 3]),
             background: (0..SIDE * SIDE).map(cost).collect(),
             against_disk: vec![],
+            mirrored: vec![],
             person: vec![],
             known: vec![Known::Unknown; SIDE * SIDE],
             noise_levels: 1.0,

@@ -13,8 +13,8 @@
 //! background, what its scene did not foresee.
 
 use crate::cells::Block;
+use crate::consensus::{DISSENT, Together, View};
 use crate::cut::least_cut::Known;
-use crate::label::consensus::{DISSENT, Together, View};
 use crate::label::squares::Squares;
 use crate::likelihood::body::{ANY_COLOR, EVIDENT};
 use crate::likelihood::person::SURE;

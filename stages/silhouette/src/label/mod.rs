@@ -3,7 +3,6 @@
 pub(crate) mod between_photos;
 pub(crate) mod by_colors;
 pub(crate) mod color_cut;
-pub(crate) mod consensus;
 pub(crate) mod parts;
 pub(crate) mod squares;
 pub(crate) mod stage;

@@ -105,6 +105,7 @@ mod tests {
             cost,
             strange: Vec::new(),
             person,
+            mirrored: Vec::new(),
             unforeseen: None,
             known: vec![Known::Unknown; SIDE * SIDE],
             noise: Noise::even(1.8),

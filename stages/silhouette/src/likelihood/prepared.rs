@@ -22,6 +22,8 @@ pub struct Prepared {
     pub strange: Vec<f32>,
     /// Log-odds of the body by a person's sense; empty where there is none.
     pub person: Vec<f32>,
+    /// Light that pixels gain by what the disk mirrors of the body, three channels each; empty where it mirrors nothing.
+    pub mirrored: Vec<f32>,
     /// What the background costs a pixel at most, by what no scene foresees; `None` until all other photos are weighed in. \[nats\]
     pub unforeseen: Option<f32>,
     /// What is certain before any cut.
@@ -41,6 +43,7 @@ impl Prepared {
             cost: evidence.background.clone(),
             strange: evidence.against_disk.clone(),
             person: evidence.person.clone(),
+            mirrored: evidence.mirrored.clone(),
             unforeseen: None,
             known: evidence.known.clone(),
             noise: Noise::even(evidence.noise_levels),
@@ -51,6 +54,19 @@ impl Prepared {
     /// A cost as background, if nothing was foreseen at most. \[nats\]
     pub(crate) fn foreseen_or_not(&self, cost: f32) -> f32 {
         cost.min(self.unforeseen.unwrap_or(f32::MAX))
+    }
+
+    /// Takes what pixels cost where they gain the light of what the disk mirrors, if that is less.
+    pub(crate) fn or_mirrored(&mut self, other: &Prepared, gained: Vec<f32>) {
+        for (i, gained) in gained.chunks(3).enumerate() {
+            if gained != [0.0; 3] && other.cost[i] < self.cost[i] {
+                self.cost[i] = other.cost[i];
+                if let Some(strange) = self.strange.get_mut(i) {
+                    *strange = other.strange[i];
+                }
+            }
+        }
+        self.mirrored = gained;
     }
 
     /// Takes it that pixels show the background.
@@ -69,6 +85,7 @@ impl Prepared {
             background: self.cost,
             against_disk: self.strange,
             person: self.person,
+            mirrored: self.mirrored,
             known: self.known,
             noise_levels: self.noise.still,
         }
@@ -119,6 +136,7 @@ pub fn prepare(
         small,
         strange: Vec::new(),
         person: Vec::new(),
+        mirrored: Vec::new(),
         unforeseen: None,
         cost,
         known,

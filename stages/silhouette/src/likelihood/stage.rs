@@ -6,11 +6,13 @@ use crate::cut::least_cut::Known;
 use crate::likelihood::behind::Behind;
 use crate::likelihood::body::evident;
 use crate::likelihood::grain::missed_in_photo;
+use crate::likelihood::mirror::{Weighed, gained, mirroring};
 use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{UNSEEN, prepare};
 use crate::params::CutError;
+use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
-use shape::{Aligned, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Scene};
+use shape::{Aligned, ByPhoto, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Scene};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -42,7 +44,7 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of the disk, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
@@ -62,11 +64,27 @@ impl Stage for Likelihood {
             }
         };
         let steps = ctx.steps("photos", all.len());
+        let before = |(id, photo): &(PhotoId, &Photo)| {
+            ctx.check()?;
+            let weighed = weighed(*id, photo, aligned, &behind, p.disk_side_mm, vec![])?;
+            Ok((*id, weighed))
+        };
+        let known: &[_] = if scene.is_unknown() { &[] } else { &all };
+        let first = known
+            .par_iter()
+            .map(before)
+            .collect::<Result<Vec<_>, Stop>>()?;
+        let first: ByPhoto<Weighed> = first.into_iter().collect();
+        let gained = gained(&first, aligned).unwrap_or_default();
         let one = |(id, photo): &(PhotoId, &Photo)| {
             ctx.check()?;
-            let evidence = match scene.is_unknown() {
-                true => of_nothing(photo, aligned)?,
-                false => weighed(*id, photo, aligned, &behind, p.disk_side_mm)?,
+            let evidence = match (first.get(*id), gained.get(*id)) {
+                (None, _) => of_nothing(photo, aligned)?,
+                (Some((evidence, _)), None) => evidence.clone(),
+                (_, Some(gained)) => {
+                    let gained = gained.clone();
+                    weighed(*id, photo, aligned, &behind, p.disk_side_mm, gained)?.0
+                }
             };
             let size = [evidence.photo.width, evidence.photo.height];
             let people = input.people.as_deref().filter(|_| !scene.is_unknown());
@@ -86,23 +104,36 @@ impl Stage for Likelihood {
     }
 }
 
-/// A photo before the scene that is behind it.
+/// A photo before the scene that is behind it, with what that would show; `gained` is the light of what the disk mirrors.
 fn weighed(
     id: PhotoId,
     photo: &Photo,
     aligned: &Aligned,
     behind: &Behind<'_>,
     disk_side_mm: f64,
-) -> Result<PhotoEvidence, Stop> {
+    gained: Vec<f32>,
+) -> Result<Weighed, Stop> {
     let pixels = aligned.of(id).brought(photo.decode()?);
     let without = behind.of_photo(id, &pixels);
     let floor = behind.floor(id);
     let most = aligned.coarse_px as usize;
-    let mut ready = prepare(&pixels, &without, floor, most, disk_side_mm);
-    missed_in_photo(&mut ready, &without.image);
+    let before = |without: &Backdrop| {
+        let mut ready = prepare(&pixels, without, floor, most, disk_side_mm);
+        missed_in_photo(&mut ready, &without.image);
+        ready
+    };
+    let mut ready = before(&without);
+    if !gained.is_empty() {
+        let image = mirroring(&without.image, &gained, ready.factor);
+        let mirroring = before(&Backdrop {
+            image,
+            ..without.clone()
+        });
+        ready.or_mirrored(&mirroring, gained);
+    }
     let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
     close(known, width, factor, photo, aligned)?;
-    Ok(ready.evidence())
+    Ok((ready.evidence(), without.image.reduced(factor)))
 }
 
 /// A photo of whose scene nothing is known, as it was taken: only the rectangle speaks.
@@ -116,6 +147,7 @@ fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
         factor: factor as u32,
         background: vec![UNSEEN; known.len()],
         against_disk: vec![],
+        mirrored: vec![],
         person: vec![],
         known,
         photo: small,
