@@ -150,23 +150,16 @@ pub(super) fn write(
     name: &str,
     delivery: &mut Delivery,
 ) -> Result<(), Fault> {
-    let made = |(nodes, _, format): (&[&str], &str, &str)| {
+    for (nodes, file, format) in WRITTEN {
         let Some(at) = place(graph, nodes) else {
-            return Ok(vec![]);
+            continue;
         };
         let (artifact, raw) = there(graph, outcome, at)?;
         let artifact = named(artifact, name);
         let photos = graph.beside(at).and_then(|at| outcome.artifact(graph, at));
         let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
-        files.map_err(Fault::stage)
-    };
-    // Side by side: a surface takes as long as all else together.
-    let all = std::thread::scope(|scope| {
-        let begun = WRITTEN.map(|one| scope.spawn(move || made(one)));
-        begun.map(|one| one.join().expect("bug: a writer panicked"))
-    });
-    for ((_, file, _), files) in WRITTEN.iter().zip(all) {
-        delivery.put(file, &files?).map_err(Fault::stage)?;
+        let files = files.map_err(Fault::stage)?;
+        delivery.put(file, &files).map_err(Fault::stage)?;
     }
     if let Some(report) = get::<Document>(graph, outcome, "report") {
         let page = completed_as(&report.bytes, &Ran::of(graph, outcome, &[]), Some(name));

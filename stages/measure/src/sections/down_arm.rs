@@ -25,7 +25,7 @@ pub(super) fn round(ring: &Ring) -> f64 {
     4.0 * PI * ring.area / (ring.tape * ring.tape)
 }
 
-/// how far a ring is from all the rest of its plane; endless where it is alone. \[mm\]
+/// How far a ring is from all the rest of its plane; endless where it is alone. \[mm\]
 pub(super) fn gap(ring: &Ring, all: &[Ring]) -> f64 {
     let rest = all
         .iter()
