@@ -33,6 +33,8 @@ stage::params! {
         longest_px: u32 = 3200,
         /// Photos whose longer side is at most this are searched at twice their size, too: for
         /// features of the size of a pixel.
+        // How far to search is structural; where the bound is was set by hand, between captures that were looked at
+        // (docs/lab/performance.md).
         #[range(0..=10000)]
         #[source(structural)]
         fine_px: u32 = 2000,
