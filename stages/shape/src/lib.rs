@@ -53,6 +53,7 @@ mod ply;
 mod refusal;
 mod register;
 mod registered;
+pub mod registers;
 mod rig;
 mod runs;
 mod scene;

@@ -1,6 +1,7 @@
 //! A square of a photo in few pixels.
 
 use nalgebra::Point2;
+use shape::registers::widest;
 use shape::{Crop, Found, Rgb};
 
 /// Around whoever is painted over so many of the network's pixels go, too: derived from how right its outline is ([`Found::pixel_px`]).
@@ -9,6 +10,14 @@ const BESIDE: f32 = 2.0;
 /// The colours of the square in `side` × `side` pixels, 0 to 255, each the mean of what is in it; black outside of the
 /// photo.
 pub(super) fn sampled(photo: &Rgb, crop: &Crop, side: usize) -> Vec<f32> {
+    widest(
+        #[inline(always)]
+        || means(photo, crop, side),
+    )
+}
+
+#[inline(always)]
+fn means(photo: &Rgb, crop: &Crop, side: usize) -> Vec<f32> {
     // Bilinear samples at most two photo pixels apart weigh each pixel alike.
     let pixel_px = crop.side_px / side as f32;
     let across = ((pixel_px / 2.0).ceil() as usize).max(1);
@@ -88,7 +97,7 @@ fn covered(crop: &Crop, side: usize, hidden: &[Found]) -> Vec<bool> {
 }
 
 /// The colour between pixels; black outside.
-#[inline]
+#[inline(always)]
 fn bilinear(photo: &Rgb, [x, y]: [f32; 2]) -> [f32; 3] {
     let (width, height) = (photo.width as f32, photo.height as f32);
     if !(x > -1.0 && y > -1.0 && x < width && y < height) {

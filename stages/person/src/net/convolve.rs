@@ -74,6 +74,7 @@ impl Convolution {
     }
 
     /// Of an image that the window fits.
+    #[inline(always)]
     pub(super) fn of(&self, image: &Tensor) -> Tensor {
         let window = &self.window;
         let [height, width] = window.out(image.height, image.width).unwrap_or_default();
@@ -93,6 +94,7 @@ impl Convolution {
     }
 
     /// Each row of `terms` numbers times the weights.
+    #[inline(always)]
     fn rows(&self, from: &[f32], terms: usize, out: &mut [f32]) {
         let whole = from.len() / terms / PIXELS * PIXELS;
         let (inputs, last_inputs) = from.split_at(whole * terms);
@@ -108,7 +110,7 @@ impl Convolution {
     }
 
     /// `N` rows at once; each sum runs in the order of its terms, whatever `N` is.
-    #[inline]
+    #[inline(always)]
     fn some<const N: usize>(&self, from: &[f32], terms: usize, out: &mut [f32]) {
         let rows: [&[f32]; N] = std::array::from_fn(|n| &from[n * terms..(n + 1) * terms]);
         let blocks = self.weights.chunks_exact(terms).zip(&self.bias);

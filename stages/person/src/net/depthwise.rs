@@ -16,6 +16,7 @@ pub(super) struct Depthwise {
 
 impl Depthwise {
     /// Of an image that the window fits, with as many channels as weights.
+    #[inline(always)]
     pub(super) fn of(&self, image: &Tensor) -> Tensor {
         let window = &self.window;
         let [height, width] = window.out(image.height, image.width).unwrap_or_default();

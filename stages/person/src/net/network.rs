@@ -4,6 +4,7 @@ use super::convolve::Convolution;
 use super::depthwise::Depthwise;
 use super::pixelwise::{add, doubled, max_pool, to_space};
 use super::tensor::Tensor;
+use shape::registers::widest;
 
 /// What is done to an image.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,14 +78,17 @@ impl Network {
         for (i, step) in self.steps.iter().enumerate() {
             let image = |n: usize| made[n].as_ref().expect("bug: an image let go too early");
             let from = image(step.from);
-            let next = match &step.op {
-                Op::Convolve(one) => one.of(from),
-                Op::Depthwise(one) => one.of(from),
-                Op::Add { other, relu6 } => add(from, image(*other), *relu6),
-                Op::MaxPool => max_pool(from),
-                Op::Double => doubled(from),
-                Op::ToSpace => to_space(from),
-            };
+            let next = widest(
+                #[inline(always)]
+                || match &step.op {
+                    Op::Convolve(one) => one.of(from),
+                    Op::Depthwise(one) => one.of(from),
+                    Op::Add { other, relu6 } => add(from, image(*other), *relu6),
+                    Op::MaxPool => max_pool(from),
+                    Op::Double => doubled(from),
+                    Op::ToSpace => to_space(from),
+                },
+            );
             made.push(Some(next));
             for n in 0..=i {
                 if self.last[n] == i {

@@ -4,9 +4,9 @@ use crate::evidence::look::Look;
 use crate::evidence::patch::{Frame, MOST_VIEWS, VisibleView};
 use crate::evidence::scene::{Scene, VisibilityRules};
 use crate::geometry::curvature::{shape_operators, tangents};
-use crate::pictures::registers::widest;
 use nalgebra::Vector3;
 use rayon::prelude::*;
+use shape::registers::widest;
 use std::ops::Range;
 
 /// What is known of a vertex from an earlier look: the spacing of its patch \[mm\], the pictures that see

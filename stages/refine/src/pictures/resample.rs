@@ -1,7 +1,7 @@
 //! An image drawn anew, each of its pixels read elsewhere in another.
 
-use crate::pictures::registers::widest;
 use shape::Gray;
+use shape::registers::widest;
 
 /// Pixels that are read side by side (structural: speed alone).
 const LANES: usize = 8;
