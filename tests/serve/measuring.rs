@@ -39,7 +39,7 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
     let look = ask(&server, "look").is(200).json();
     assert_eq!(
         (&look["photos"], &look["motion"]),
-        (&json!(18), &json!("turn")),
+        (&json!(9), &json!("turn")),
         "{look}"
     );
     let page = format!("/captures/{id}");
@@ -143,7 +143,7 @@ fn deleted(server: &Server, id: &str) {
         .ask("DELETE", &format!("/api/captures/{id}"), &Value::Null)
         .is(200)
         .json();
-    assert_eq!(gone["files"], 19);
+    assert_eq!(gone["files"], 10);
     assert!(
         gone["results"].as_u64().unwrap() > 15
             && gone["results_bytes"].as_u64().unwrap() > 1_000_000,

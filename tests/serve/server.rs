@@ -231,13 +231,15 @@ impl Server {
     /// A capture of the sample's photos and its plate.
     pub(crate) fn sample(&self, name: &str) -> String {
         let id = self.capture(name);
-        for (at, photo) in photos().iter().enumerate() {
+        // Every second photo, and the plate, which is the last: a turn that takes half of the time.
+        let photos: Vec<_> = photos().into_iter().step_by(2).collect();
+        for (at, photo) in photos.iter().enumerate() {
             let bytes = std::fs::read(photo).unwrap();
             let name = photo.file_name().unwrap().to_str().unwrap();
             self.send(&id, at as u32 + 1, name, &bytes).is(200);
         }
         // The mat's edge, as `capture.toml` of the sample has it.
-        let facts = json!({ "plate": photos().len(), "mat_tag_mm": 60.0, "steps": 18 });
+        let facts = json!({ "plate": photos.len(), "mat_tag_mm": 60.0, "steps": 9 });
         self.ask("PUT", &format!("/api/captures/{id}/facts"), &facts)
             .is(204);
         id
