@@ -16,6 +16,8 @@ stage::messages! {
     NO_FACE = "warn-no-face": "left out, for its face could not be placed";
 }
 
+/// Of a pixel: its colours as they are decoded, and as they are (structural: what the buffers hold). \[bytes\]
+const PHOTO_PIXEL: u64 = 6;
 /// What a page may weigh (structural: a bound of a file). \[MB\]
 const MOST_MB: f64 = 15.0;
 /// So many photos are shown at full height; more are shown smaller (structural: layout).
@@ -105,6 +107,13 @@ impl Stage for Html {
     type Input = HtmlInput;
     type Output = Document;
     const METRICS: &'static [&'static str] = &["size"];
+
+    /// A photo a thread.
+    fn memory(_: &HtmlParams, input: &HtmlInput) -> u64 {
+        let photos = input.photos.iter().flat_map(|photos| &photos.photos);
+        let pixels = photos.map(|photo| u64::from(photo.width) * u64::from(photo.height));
+        pixels.max().unwrap_or(0) * PHOTO_PIXEL * rayon::current_num_threads() as u64
+    }
 
     fn run(p: &HtmlParams, input: HtmlInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let turn = turn(&input)?;
