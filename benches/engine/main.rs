@@ -20,7 +20,7 @@ use std::time::Instant;
 use tailor::engine::{self, Catalog, Options};
 use tailor::recipe::{Overrides, open_text};
 use tailor::store::{Prefetch, Store};
-use tailor::walk::{Status, Watch};
+use tailor::walk::Status;
 
 stage::inputs! {
     /// A file.
@@ -91,9 +91,6 @@ fn rounds(nodes: usize) -> usize {
 /// Above so many nodes ninja and make are given the state of a first run, which would take them minutes.
 const RUN_FIRST: usize = 10_000;
 
-struct Nobody;
-impl Watch for Nobody {}
-
 /// What the child process does: `run` or `plan` in a folder. Prints how many were made and its
 /// greatest memory in KiB.
 fn child(verb: &str, folder: &Path) {
@@ -123,7 +120,7 @@ fn child(verb: &str, folder: &Path) {
             keep_going,
         };
         let (goal, cancel) = (&graph.goal, AtomicBool::new(false));
-        let outcome = engine::run_in(store, &graph, &folders, goal, &options, &Nobody, &cancel);
+        let outcome = engine::run_in(store, &graph, &folders, goal, &options, &(), &cancel);
         let outcome = outcome.unwrap_or_else(|error| panic!("{error}"));
         let made = |d: &&tailor::walk::Done| d.status == Status::Executed;
         let made = outcome.nodes.iter().flatten().filter(made).count();

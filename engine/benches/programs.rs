@@ -9,7 +9,7 @@
 #[path = "../tests/programs/application.rs"]
 mod application;
 
-use application::{CATALOG, Nobody, Place};
+use application::{CATALOG, Place};
 use engine::foreign::{Sandbox, sandbox};
 use engine::recipe::{Overrides, Pipeline};
 use engine::sweep::{self, Points, Sweeping, axes};
@@ -75,7 +75,7 @@ fn single(place: &Place) -> [[f64; 2]; 3] {
         };
         let graph = pipeline.graph(&overrides).unwrap();
         place.allow(&graph);
-        let outcome = place.run(&graph, &Nobody, &false.into()).unwrap();
+        let outcome = place.run(&graph, &(), &false.into()).unwrap();
         assert!(application::is_made(&outcome, &graph, "x"));
         start.elapsed()
     };
@@ -109,7 +109,7 @@ fn points(place: &Place) -> f64 {
         options: &place.options(),
         tell: &[],
         errors: None,
-        watch: &Nobody,
+        watch: &(),
         cancel: &false.into(),
     };
     let rows = sweep::run(&sweeping, points.iter(), |_| {}).unwrap();

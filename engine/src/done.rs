@@ -118,6 +118,39 @@ pub trait Watch: Sync {
     fn done(&self, _node: &str, _done: &Done) {}
 }
 
+/// Nobody listens.
+impl Watch for () {}
+
+/// Two that hear the same, the first one first.
+pub struct Both<'a>(pub &'a dyn Watch, pub &'a dyn Watch);
+
+impl Watch for Both<'_> {
+    fn started(&self, node: &str) {
+        self.0.started(node);
+        self.1.started(node);
+    }
+
+    fn waits(&self, node: &str) {
+        self.0.waits(node);
+        self.1.waits(node);
+    }
+
+    fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
+        self.0.progress(node, label, done, of);
+        self.1.progress(node, label, done, of);
+    }
+
+    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
+        self.0.differs(node, theirs, ours);
+        self.1.differs(node, theirs, ours);
+    }
+
+    fn done(&self, node: &str, done: &Done) {
+        self.0.done(node, done);
+        self.1.done(node, done);
+    }
+}
+
 /// Why keys came to nothing in this process: none of them is tried twice. \[key, why\]
 #[derive(Debug, Default)]
 pub struct Failures(Mutex<BTreeMap<[u8; 32], Message>>);

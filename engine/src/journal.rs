@@ -14,9 +14,8 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Instant;
 
-/// Writes down what happens and passes it on.
-pub(crate) struct Journal<'a> {
-    listener: &'a dyn Watch,
+/// Writes down what happens.
+pub(crate) struct Journal {
     path: PathBuf,
     start: Instant,
     log: Mutex<Log>,
@@ -32,10 +31,9 @@ struct Log {
     last_line: f64,
 }
 
-impl<'a> Journal<'a> {
-    pub(crate) fn new(listener: &'a dyn Watch, path: PathBuf) -> Self {
+impl Journal {
+    pub(crate) fn new(path: PathBuf) -> Self {
         Journal {
-            listener,
             path,
             start: Instant::now(),
             log: Mutex::default(),
@@ -71,16 +69,10 @@ impl Log {
     }
 }
 
-impl Watch for Journal<'_> {
+impl Watch for Journal {
     fn started(&self, node: &str) {
         let mut log = self.log.lock().expect("bug: poisoned");
         self.write(&mut log, "started", node, Value::Null);
-        drop(log);
-        self.listener.started(node);
-    }
-
-    fn waits(&self, node: &str) {
-        self.listener.waits(node);
     }
 
     fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
@@ -91,16 +83,12 @@ impl Watch for Journal<'_> {
             let more = json!({ "label": label, "done": done, "of": of });
             self.write(&mut log, "progress", node, more);
         }
-        drop(log);
-        self.listener.progress(node, label, done, of);
     }
 
     fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
         let mut log = self.log.lock().expect("bug: poisoned");
         let more = json!({ "theirs": theirs.to_hex().as_str(), "ours": ours.to_hex().as_str() });
         self.write(&mut log, "differs", node, more);
-        drop(log);
-        self.listener.differs(node, theirs, ours);
     }
 
     fn done(&self, node: &str, done: &Done) {
@@ -116,7 +104,5 @@ impl Watch for Journal<'_> {
             }
             self.write(&mut log, "done", node, more);
         }
-        drop(log);
-        self.listener.done(node, done);
     }
 }

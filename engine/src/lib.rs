@@ -9,7 +9,7 @@
 //! use engine::recipe::{Overrides, open_text, read};
 //! use engine::store::Store;
 //! use engine::sweep::{self, Points, Sweeping, axes};
-//! use engine::{Catalog, Options, plan, walk::Watch};
+//! use engine::{Catalog, Options, plan};
 //! # use stage::{Artifact, Corrupt, Ctx, Packer, Stage, Stop, Unpacker, erase};
 //! # struct Number(i64);
 //! # impl Artifact for Number {
@@ -33,8 +33,6 @@
 //! #         Ok(Number(p.n * p.n))
 //! #     }
 //! # }
-//! # struct Nobody;
-//! # impl Watch for Nobody {}
 //! static CATALOG: Catalog = Catalog {
 //!     program: "toys 1",
 //!     stages: &[&[&erase::<Square>()]],
@@ -54,7 +52,7 @@
 //! let planned = plan::plan(&graph, &[], &graph.goal, &store);
 //! assert!(matches!(planned[0].as_ref().unwrap().state, plan::State::Stale(_)));
 //! let (options, go) = (Options { cache, threads: None, keep_going: false }, false.into());
-//! let outcome = engine::run(&graph, &[], &graph.goal, &options, &Nobody, &go)?;
+//! let outcome = engine::run(&graph, &[], &graph.goal, &options, &(), &go)?;
 //! assert_eq!(outcome.read::<Number>("four")?.0, 9);
 //! // A sweep: what was made already is found.
 //! let recipe = read(text).unwrap();
@@ -70,7 +68,7 @@
 //!     options: &options,
 //!     tell: &["four.square".into()],
 //!     errors: None,
-//!     watch: &Nobody,
+//!     watch: &(),
 //!     cancel: &go,
 //! };
 //! let rows = sweep::run(&sweeping, points.iter(), |_| {})?;

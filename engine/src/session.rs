@@ -9,7 +9,7 @@ use crate::permission;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo};
 use crate::store::Store;
-use crate::walk::{Failures, Job, Watch, walk};
+use crate::walk::{Both, Failures, Job, Watch, walk};
 use stage::{Files, Hash};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -167,8 +167,9 @@ pub(crate) fn run_files(
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
     let id = store.next_run()?;
-    let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
-    let outcome = walked(store, graph, &files, wanted, options, &journal, cancel);
+    let journal = Journal::new(store.root().join(format!("runs/{id}.jsonl")));
+    let watch = Both(&journal, watch);
+    let outcome = walked(store, graph, &files, wanted, options, &watch, cancel);
     let summary = RunSummary {
         graph,
         nodes: &outcome.nodes,

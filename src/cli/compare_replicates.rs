@@ -6,7 +6,6 @@ use crate::sweep::{
 };
 use command::{Change, Fault, GlobalArgs, folders};
 use engine::Options;
-use engine::walk::Watch;
 use serde_json::{Value, json};
 use stage::{Message, message};
 use std::path::Path;
@@ -40,10 +39,6 @@ pub(super) fn changed(text: &str, all: &Change) -> Change {
     change.variant = (!variants.is_empty()).then(|| variants.join(","));
     change
 }
-
-/// Nobody listens.
-struct Nobody;
-impl Watch for Nobody {}
 
 /// Runs every side so often, replicate by replicate with the same seeds.
 pub(super) fn of_variants(
@@ -90,7 +85,7 @@ pub(super) fn of_variants(
         options: &options,
         tell,
         errors: None,
-        watch: &Nobody,
+        watch: &(),
         cancel: global.host.cancel(),
     };
     let count = points.count();

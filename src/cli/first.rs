@@ -149,11 +149,6 @@ impl Watch for First {
     }
 }
 
-/// Hears nothing.
-struct Nobody;
-
-impl Watch for Nobody {}
-
 impl Answer {
     /// Makes, shows and writes it; who waits hears when it is shown. A surface without a girth shows none: the whole way
     /// gives the reason.
@@ -184,7 +179,7 @@ impl Answer {
     fn run(&self, graph: &Graph, goal: &str, stop: &AtomicBool) -> Option<Outcome> {
         let wanted: Vec<usize> = graph.node(goal).into_iter().collect();
         let (folders, options) = (&self.folders, &self.options);
-        run_unrecorded(graph, folders, &wanted, options, &Nobody, stop).ok()
+        run_unrecorded(graph, folders, &wanted, options, &(), stop).ok()
     }
 
     /// Writes the page. What cannot be written now is reported when the whole is to be.

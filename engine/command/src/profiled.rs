@@ -5,7 +5,7 @@ use super::program::GlobalArgs;
 use super::text::{lines, short, table, to_the_right};
 use engine::private_file;
 use engine::profile::{Cost, Profile, Profiler};
-use engine::walk::Watch;
+use engine::walk::{Both, Watch};
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
@@ -23,8 +23,8 @@ pub(super) fn profiled<T>(
     let file = private_file(File::options().create(true).truncate(true).write(true)).open(path);
     let why = |e: std::io::Error| Fault::input(format!("{}: {e}", path.display()));
     let file = file.map_err(why)?;
-    let profiler = Profiler::new(watch);
-    let made = run(&profiler);
+    let profiler = Profiler::default();
+    let made = run(&Both(&profiler, watch));
     let profile = profiler.profile();
     written(file, &profile).map_err(why)?;
     if !global.quiet && !global.json {

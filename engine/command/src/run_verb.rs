@@ -16,9 +16,8 @@ use engine::graph::Graph;
 use engine::lasttime::History;
 use engine::past::Of;
 use engine::store::Store;
-use engine::walk::{Done, Watch};
+use engine::walk::{Both, Watch};
 use engine::{verify, walk};
-use stage::Hash;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
@@ -63,36 +62,6 @@ pub fn execute(
     match execute_some(store, graph, folders, wanted, global, false, again)? {
         (outcome, None) => Ok(outcome),
         (_, Some(fault)) => Err(fault),
-    }
-}
-
-/// Two that hear the same.
-struct Both<'a>(&'a dyn Watch, &'a dyn Watch);
-
-impl Watch for Both<'_> {
-    fn started(&self, node: &str) {
-        self.0.started(node);
-        self.1.started(node);
-    }
-
-    fn waits(&self, node: &str) {
-        self.0.waits(node);
-        self.1.waits(node);
-    }
-
-    fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
-        self.0.progress(node, label, done, of);
-        self.1.progress(node, label, done, of);
-    }
-
-    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
-        self.0.differs(node, theirs, ours);
-        self.1.differs(node, theirs, ours);
-    }
-
-    fn done(&self, node: &str, done: &Done) {
-        self.0.done(node, done);
-        self.1.done(node, done);
     }
 }
 

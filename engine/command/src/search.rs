@@ -15,11 +15,7 @@ use engine::recipe::{Overrides, Pipeline, Search};
 use engine::search::{Found, Round, Values, search as searched};
 use engine::store::Store;
 use engine::sweep::{self, End, Errors, Point, Points, Replicates, Row, Sweeping};
-use engine::walk::Watch;
 use std::sync::atomic::Ordering;
-
-struct Nobody;
-impl Watch for Nobody {}
 
 /// The search of a name.
 fn declared<'a>(args: &SearchArgs, pipeline: &'a Pipeline) -> Result<&'a Search, Fault> {
@@ -107,7 +103,7 @@ fn run(
         options: &options,
         tell: &tell,
         errors: against.as_ref().map(|errors| errors as &Errors<'_>),
-        watch: &Nobody,
+        watch: &(),
         cancel: global.host.cancel(),
     };
     let mut wrong = None;

@@ -10,7 +10,6 @@ use engine::delivery;
 use engine::recipe::Pipeline;
 use engine::study::Table;
 use engine::sweep::End;
-use engine::walk::Watch;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
@@ -48,9 +47,6 @@ struct Run {
     #[arg(long)]
     check: bool,
 }
-
-struct Nobody;
-impl Watch for Nobody {}
 
 /// The names of the studies in a folder, in order.
 fn known(folder: &Path) -> Result<Vec<String>, Fault> {
@@ -146,7 +142,7 @@ fn one(run: &Run, name: &str, global: &GlobalArgs) -> Result<usize, Fault> {
         "--yes".to_owned(),
     ])?;
     let voice = !global.quiet && !global.json;
-    let swept = swept(&args, global, &Nobody, &mut |heard| match heard {
+    let swept = swept(&args, global, &(), &mut |heard| match heard {
         Heard::Outlook(outlook) if voice => crate::errln!("{name}: {outlook}"),
         Heard::Row(row, at, _) if voice && row.made > 0 => {
             crate::errln!("{name}: point {at}, {} made", row.made);

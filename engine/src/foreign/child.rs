@@ -30,7 +30,7 @@ pub(super) const LOOK: Duration = Duration::from_millis(10);
 /// How long it is waited before the first of several looks.
 pub(super) const SHORTEST_LOOK: Duration = Duration::from_micros(100);
 /// How often memory and disk are looked at.
-pub(super) const WEIGH: Duration = Duration::from_millis(50);
+const WEIGH: Duration = Duration::from_millis(50);
 /// How many lines of a program wait to be read; a program that prints more waits, too. \[lines\]
 const WAITING_LINES: usize = 64;
 /// How long a program that has ended is listened to.
@@ -170,21 +170,32 @@ fn watched(
         if process::has_ended(child) {
             return Ok(());
         }
-        if stop() {
-            return Err(ForeignError::Cancelled);
-        }
-        if start.elapsed() > task.timeout {
-            return Err(ForeignError::Timeout {
-                program: task.name.into(),
-                limit: task.timeout,
-                tail: String::new(),
-            });
-        }
-        if weighed.elapsed() > WEIGH {
-            weigh(task.name, task.root, task.memory_mb, task.most)?;
-            weighed = Instant::now();
-        }
+        may_go_on(task, start, stop, &mut weighed)?;
     }
+}
+
+/// Whether a program may go on that was started then: an error if the user stops it, or it takes too long or too much.
+pub(super) fn may_go_on(
+    task: &Task<'_>,
+    start: Instant,
+    stop: &dyn Fn() -> bool,
+    weighed: &mut Instant,
+) -> Result<(), ForeignError> {
+    if stop() {
+        return Err(ForeignError::Cancelled);
+    }
+    if start.elapsed() > task.timeout {
+        return Err(ForeignError::Timeout {
+            program: task.name.into(),
+            limit: task.timeout,
+            tail: String::new(),
+        });
+    }
+    if weighed.elapsed() > WEIGH {
+        weigh(task.name, task.root, task.memory_mb, task.most)?;
+        *weighed = Instant::now();
+    }
+    Ok(())
 }
 
 /// Who is still there a moment after the program ended.

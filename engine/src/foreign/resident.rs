@@ -6,7 +6,6 @@ use super::family::{self, Running};
 use super::start::command;
 use super::tail::Tail;
 use super::task::Task;
-use super::weight::weigh;
 use serde_json::Value;
 use stage::process;
 use std::io::Write;
@@ -143,20 +142,7 @@ impl AtWork {
                 }
                 Err(RecvTimeoutError::Disconnected) => std::thread::sleep(child::LOOK),
             }
-            if (limits.stop)() {
-                return Err(ForeignError::Cancelled);
-            }
-            if limits.start.elapsed() > task.timeout {
-                return Err(ForeignError::Timeout {
-                    program: task.name.into(),
-                    limit: task.timeout,
-                    tail: String::new(),
-                });
-            }
-            if weighed.elapsed() > child::WEIGH {
-                weigh(task.name, task.root, task.memory_mb, task.most)?;
-                weighed = Instant::now();
-            }
+            child::may_go_on(task, limits.start, limits.stop, &mut weighed)?;
         }
     }
 

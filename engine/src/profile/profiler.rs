@@ -5,13 +5,11 @@ use super::spans::{Span, Spans};
 use super::trace::trace;
 use crate::done::{Done, Watch};
 use serde_json::Value;
-use stage::Hash;
 use std::sync::Mutex;
 use std::time::Instant;
 
-/// Listens to a run, notes when nodes and loops began and ended, and passes it on.
-pub struct Profiler<'a> {
-    listener: &'a dyn Watch,
+/// Notes when nodes and loops of a run began and ended.
+pub struct Profiler {
     start: Instant,
     spans: Mutex<Spans>,
 }
@@ -31,16 +29,16 @@ impl Profile {
     }
 }
 
-impl<'a> Profiler<'a> {
-    /// Gets the events of a run, and passes them on.
-    pub fn new(listener: &'a dyn Watch) -> Self {
+impl Default for Profiler {
+    fn default() -> Self {
         Profiler {
-            listener,
             start: Instant::now(),
             spans: Mutex::default(),
         }
     }
+}
 
+impl Profiler {
     /// What was noted, once the run is over.
     pub fn profile(self) -> Profile {
         let end = self.now();
@@ -58,23 +56,14 @@ impl<'a> Profiler<'a> {
     }
 }
 
-impl Watch for Profiler<'_> {
+impl Watch for Profiler {
     fn started(&self, node: &str) {
         self.note(|spans, now| spans.begin(node, None, now));
-        self.listener.started(node);
-    }
-    fn waits(&self, node: &str) {
-        self.listener.waits(node);
     }
     fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
         self.note(|spans, now| spans.progress(node, label, (done, of), now));
-        self.listener.progress(node, label, done, of);
-    }
-    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
-        self.listener.differs(node, theirs, ours);
     }
     fn done(&self, node: &str, done: &Done) {
         self.note(|spans, now| spans.end(node, done.spent, now));
-        self.listener.done(node, done);
     }
 }

@@ -1,14 +1,13 @@
 //! How long at least one stage ran: what is left of a point's time is the engine's.
 
 use crate::walk::{Done, Status, Watch};
-use stage::Hash;
 use std::sync::Mutex;
 use std::thread::ThreadId;
 use std::time::{Duration, Instant};
 
-/// Passes on what happens, and notes when each stage ran.
-pub(super) struct Busy<'a> {
-    listener: &'a dyn Watch,
+/// Notes when each stage ran.
+#[derive(Default)]
+pub(super) struct Busy {
     state: Mutex<State>,
 }
 
@@ -20,14 +19,7 @@ struct State {
     spans: Vec<(Instant, Instant)>,
 }
 
-impl<'a> Busy<'a> {
-    pub(super) fn new(listener: &'a dyn Watch) -> Self {
-        Busy {
-            listener,
-            state: Mutex::default(),
-        }
-    }
-
+impl Busy {
     /// How long at least one stage ran between two moments. \[s\] What was before is forgotten: moments are
     /// asked in their order.
     pub(super) fn seconds(&self, from: Instant, to: Instant) -> f64 {
@@ -48,29 +40,15 @@ impl<'a> Busy<'a> {
     }
 }
 
-impl Watch for Busy<'_> {
-    fn started(&self, node: &str) {
+impl Watch for Busy {
+    fn started(&self, _node: &str) {
         let mut state = self.state.lock().expect("bug: poisoned");
         state
             .running
             .push((std::thread::current().id(), Instant::now()));
-        drop(state);
-        self.listener.started(node);
     }
 
-    fn waits(&self, node: &str) {
-        self.listener.waits(node);
-    }
-
-    fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
-        self.listener.progress(node, label, done, of);
-    }
-
-    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
-        self.listener.differs(node, theirs, ours);
-    }
-
-    fn done(&self, node: &str, done: &Done) {
+    fn done(&self, _node: &str, done: &Done) {
         let mut state = self.state.lock().expect("bug: poisoned");
         let thread = std::thread::current().id();
         let at = state.running.iter().position(|(t, _)| *t == thread);
@@ -82,8 +60,6 @@ impl Watch for Busy<'_> {
             };
             state.spans.push((from, to));
         }
-        drop(state);
-        self.listener.done(node, done);
     }
 }
 
@@ -91,12 +67,9 @@ impl Watch for Busy<'_> {
 mod tests {
     use super::*;
 
-    struct Nobody;
-    impl Watch for Nobody {}
-
     #[test]
     fn stages_side_by_side_count_once() {
-        let busy = Busy::new(&Nobody);
+        let busy = Busy::default();
         let zero = Instant::now();
         let at = |s: u64| zero + Duration::from_secs(s);
         let spans = [

@@ -22,7 +22,7 @@ pub(super) type Entry = (Point, Result<Member, String>);
 pub(super) struct Common<'a> {
     pub(super) sweeping: &'a Sweeping<'a>,
     pub(super) store: &'a Store,
-    pub(super) busy: &'a Busy<'a>,
+    pub(super) busy: &'a Busy,
     /// The files of each input of the whole, and their content.
     pub(super) files: &'a [Files],
     pub(super) contents: &'a [Hash],

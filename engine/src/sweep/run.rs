@@ -6,7 +6,7 @@ use super::row::Row;
 use super::rows::{Common, Entry, Rows};
 use super::sweeping::Sweeping;
 use super::whole::Whole;
-use crate::done::Done;
+use crate::done::{Both, Done};
 use crate::journal::Journal;
 use crate::run_one::{Pool, Surroundings};
 use crate::session::{self, EngineError};
@@ -97,13 +97,14 @@ impl Batch {
         report: &mut impl FnMut(&Row),
     ) -> Result<Vec<Row>, EngineError> {
         let id = store.next_run()?;
-        let busy = Busy::new(sweeping.watch);
-        let journal = Journal::new(&busy, store.root().join(format!("runs/{id}.jsonl")));
+        let busy = Busy::default();
+        let journal = Journal::new(store.root().join(format!("runs/{id}.jsonl")));
+        let all = Both(&busy, sweeping.watch);
         let threads = session::threads(sweeping.options);
         let (graph, files, contents) = self.whole.graph();
         let around = Surroundings {
             store,
-            watch: &journal,
+            watch: &Both(&journal, &all),
             cancel: sweeping.cancel,
             pool: &Pool::new(threads),
             failures,
