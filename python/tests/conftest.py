@@ -34,7 +34,7 @@ def doll(cache):
 @pytest.fixture(scope="session")
 def shown(doll):
     """The doll's parts, run once."""
-    nodes = ["photos", "masks", "carved", "girths", "page", "textured", "tags", "tracks", "deformation", "rig", "aligned", "scene", "evidence", "labels", "people", "alarmed"]
+    nodes = ["photos", "masks", "carved", "girths", "page", "textured", "tags", "tracks", "deformation", "mat", "aligned", "scene", "evidence", "labels", "people", "alarmed"]
     return doll.run(*nodes, progress=False)
 
 

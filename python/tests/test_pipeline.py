@@ -89,14 +89,14 @@ def test_a_stage_that_fails_is_told_with_its_node(doll):
         doll.set("carved.voxel_mm", 50).run("carved", progress=False)
     assert error.value.code == 1
     assert [node for node, _ in error.value.failures] == ["carved"]
-    run = doll.set("carved.voxel_mm", 50).run("carved", "rig", progress=False, keep_going=True)
-    assert [node for node, _ in run.failures] == ["carved"] and "rig" in run and "carved" not in run
+    run = doll.set("carved.voxel_mm", 50).run("carved", "mat", progress=False, keep_going=True)
+    assert [node for node, _ in run.failures] == ["carved"] and "mat" in run and "carved" not in run
 
 
 def test_a_cache_of_another_version_is_refused(tmp_path):
     (tmp_path / "format").write_text("tailor store 99\n")
     with pytest.raises(tailor.Error, match="99|layout|version"):
-        tailor.Pipeline(DOLL, cache=tmp_path).run("rig", progress=False)
+        tailor.Pipeline(DOLL, cache=tmp_path).run("mat", progress=False)
     assert (tmp_path / "format").read_text() == "tailor store 99\n"
 
 
@@ -122,7 +122,7 @@ def test_a_sweep_that_cannot_be_is_told(doll):
         with pytest.raises(tailor.Error):
             doll.sweep(progress=False, **wrong)
     with pytest.raises(tailor.Error, match="pandas, polars, dicts"):
-        doll.plan("rig", kind="excel")
+        doll.plan("mat", kind="excel")
 
 
 def test_progress_is_heard(doll):

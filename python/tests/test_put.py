@@ -108,12 +108,12 @@ def test_cameras_of_pycolmap_are_put_in(doll, shown):
 
 
 def test_a_document_is_put_in(doll):
-    run = doll.put("rig", ("table.csv", "a,b\n1,2\n")).run("rig", progress=False)
-    assert run["rig"].frame("dicts") == [{"a": "1", "b": "2"}]
+    run = doll.put("mat", ("table.csv", "a,b\n1,2\n")).run("mat", progress=False)
+    assert run["mat"].frame("dicts") == [{"a": "1", "b": "2"}]
     with pytest.raises(tailor.Error, match="no document"):
-        doll.put("rig", ("table.exe", "a")).run("rig", progress=False)
+        doll.put("mat", ("table.exe", "a")).run("mat", progress=False)
     with pytest.raises(tailor.Error, match="pair"):
-        doll.put("rig", "table.csv")
+        doll.put("mat", "table.csv")
 
 
 def test_what_cannot_be_put_in_is_told(doll):

@@ -11,7 +11,7 @@ import read_store  # noqa: E402
 
 
 def test_the_reader_reads_what_the_wheel_reads(doll, cache):
-    run = doll.run("carved", "masks", "rig", progress=False)
+    run = doll.run("carved", "masks", "mat", progress=False)
     store = read_store.Store(cache)
     contents = {n["node"]: n["content"] for n in run.record["nodes"]}
     positions, faces = store.artifact(contents["carved"], verify=True).mesh()
@@ -21,4 +21,4 @@ def test_the_reader_reads_what_the_wheel_reads(doll, cache):
     for photo, mask in run["masks"].items():
         width, pixels = masks.mask(photo)
         assert mask.shape[1] == width and mask.tobytes() == pixels
-    assert store.artifact(contents["rig"]).sections["bytes"] == run["rig"].bytes
+    assert store.artifact(contents["mat"]).sections["bytes"] == run["mat"].bytes

@@ -137,7 +137,8 @@ def test_features_tracks_and_the_rest_have_their_forms(shown):
     assert cell > 0 and offsets.ndim == 3 and offsets.shape[2] == 2
     textured = shown["textured"]
     assert textured.atlas.shape[2] == 3 and textured.corners.shape == (len(textured.faces), 3, 2)
-    assert shown["rig"].media.startswith("image/svg") and shown["rig"].text.lstrip().startswith("<svg")
+    assert shown["page"].media.startswith("text/html") and shown["page"].text.lstrip().startswith("<!doctype html>")
+    assert shown["mat"].media == "application/pdf"
     assert shown["landmarks"].parts.shape == (len(shown["body"].vertices),)
     assert shown["sway"].document[0]["t"]
 
@@ -151,12 +152,12 @@ def test_a_result_that_is_not_there(shown):
 
 
 def test_a_result_that_went_out_of_the_cache(tmp_path):
-    run = tailor.Pipeline(DOLL, cache=tmp_path).run("rig", progress=False)
+    run = tailor.Pipeline(DOLL, cache=tmp_path).run("mat", progress=False)
     for blob in (tmp_path / "cas").rglob("*"):
         if blob.is_file():
             blob.unlink()
     with pytest.raises(tailor.Error, match="run it again"):
-        run["rig"]
+        run["mat"]
 
 
 def sphere(rings, columns):

@@ -58,10 +58,10 @@ def test_a_run_in_a_child_that_was_forked(tmp_path):
     text = (
         "import os, sys, tailor\n"
         "doll = tailor.Pipeline(sys.argv[1], cache=sys.argv[2])\n"
-        "doll.run('rig', progress=False)\n"
+        "doll.run('sway', progress=False)\n"
         "child = os.fork()\n"
         "if not child:\n"
-        "    doll.set('cameras.views', 9).run('rig', progress=False)\n"
+        "    doll.set('cameras.views', 9).run('sway', progress=False)\n"
         "    os._exit(7)\n"
         "print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
     )

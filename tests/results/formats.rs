@@ -8,7 +8,7 @@ const PIPELINE: &str = "goal = [\"masks\", \"page\"]\n\
     [node.body]\nstage = \"synth.body\"\nfrom = [\"solid\"]\nwith = { cell_mm = 12.0 }\n\
     [node.cameras]\nstage = \"synth.ring\"\nwith = { views = 8, width = 240, height = 312, distance_mm = 1100.0, camera_mm = 560.0, look_mm = 240.0, disk_mm = 300.0 }\n\
     [node.masks]\nstage = \"synth.masks\"\nfrom = { mesh = \"body\", cameras = \"cameras\" }\n\
-    [node.page]\nstage = \"report.ring\"\nfrom = [\"cameras\"]\n";
+    [node.page]\nstage = \"pose.mat\"\nwith = { print = \"svg\" }\n";
 
 fn tailor(place: &Path, words: &[&str]) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_tailor"));

@@ -20,7 +20,6 @@ mod middlebury;
 mod obj;
 mod odd_masks;
 mod people;
-mod ring;
 mod sheet;
 mod small;
 mod stl;
@@ -42,7 +41,6 @@ pub use mask_steps::{aligned_to_jpeg, evidence_to_png, labels_to_png, scene_to_p
 pub use middlebury::{Distorted, cameras_to_middlebury};
 pub use obj::{mesh_to_obj, textured_to_obj};
 pub use people::{lost_parts_to_json, people_to_json, people_to_png};
-pub use ring::cameras_to_svg;
 pub use sheet::{mask_on_photo, masks_to_sheet};
 pub use small::small;
 pub use stl::mesh_to_stl;

@@ -2,7 +2,6 @@
 //!
 //! ```text
 //! photos, masks, cameras (a scan has none of them), surfaces, landmarks, girths → [`Html`] → document
-//! cameras → [`RingPicture`] → document
 //! files → [`Take`] → document
 //! ```
 //!
@@ -20,7 +19,6 @@ mod page;
 mod paint;
 mod profile;
 mod ring;
-mod ring_picture;
 mod scene;
 mod sides;
 mod tables;
@@ -32,12 +30,10 @@ pub use answer::Answer;
 pub use html::{Html, HtmlInput, HtmlParams, TurnError};
 pub use lengths::ShownIn;
 pub use page::titled;
-pub use ring_picture::{RingInput, RingPicture};
 pub use take::{Take, TakeError, TakeInput};
 
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<RingPicture>().failing(CODED),
     &stage::erase::<Html>().failing(CODED),
     &stage::erase::<Take>().failing(CODED),
 ];

@@ -4,7 +4,9 @@ use crate::answer::Answer;
 use crate::lengths::Lengths;
 use crate::{derived, profile, ring, scene, sides, tables};
 use rayon::prelude::*;
-use shape::{Cameras, Girths, Landmarks, Length, Mesh, Photos, Scale, Textured, Unit};
+use shape::{
+    Cameras, Girths, Landmarks, Length, Mesh, Photos, Scale, Textured, Unit, cameras_to_svg,
+};
 
 /// A surface that the viewer can show.
 pub(crate) enum Surface {
@@ -189,7 +191,10 @@ fn sections((photos, cameras): (&Photos, &Cameras), content: &Content<'_>) -> St
                 "scale",
                 tables::scale(cameras, &photos.rig, content.lengths),
             ),
-            ("ring", ring::svg(cameras)),
+            (
+                "ring",
+                cameras_to_svg(cameras, &ring::bounding_cylinder(cameras)),
+            ),
             (
                 "photos",
                 format!("{note}<div class=\"photos\">{}</div>", content.figures),
