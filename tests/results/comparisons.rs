@@ -285,6 +285,6 @@ fn a_surface_that_is_placed_differently_is_aligned_to_the_first_before_it_is_jud
     assert!(laid.apart.mean_mm < 0.2, "{:?}", laid.apart);
     proof::near(laid.turned_deg, 15.0, 0.1);
     assert_eq!(c.laid[1], None);
-    assert!(markdown(&c, &tailor::reader::English).contains("b, laid on a (turned 15.0°"));
-    assert!(page(&c, false).contains("laid on a"));
+    assert!(markdown(&c, &tailor::reader::English).contains("b, aligned to a (turned 15.0°"));
+    assert!(page(&c, false).contains("aligned to a"));
 }

@@ -13,11 +13,10 @@ const AVOIDED: [&str; 12] = [
 ];
 
 /// How often they are in names, comments and texts of Rust by the repository's folders, and in the screen's own texts.
-const COUNTS: [(&str, usize); 5] = [
+const COUNTS: [(&str, usize); 4] = [
     ("src", 2),
     ("src/words/*.ftl", 15),
     ("stages", 23),
-    ("study", 1),
     ("tests", 35),
 ];
 

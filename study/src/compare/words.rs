@@ -26,14 +26,14 @@ stage::messages! {
     /// Above the table of girths.
     GIRTHS = "compare-girths": "Girths by tape";
     INTERVALS = "compare-intervals": "by intervals [mm]";
-    LAID = "compare-laid": "{side}, laid on {first} (turned {turned:.1 °}, moved {moved:.0 mm})";
+    LAID = "compare-laid": "{side}, aligned to {first} (turned {turned:.1 °}, moved {moved:.0 mm})";
     /// What the head of the table of girths means.
-    LEGEND = "compare-legend": "off: the tape less that of the first. By intervals: the true difference is between these nine times in ten. LSC: least significant change, which measuring the same body twice exceeds one time in twenty; changed: whether the difference exceeds it.";
+    LEGEND = "compare-legend": "Difference: this tape minus the first one. By intervals: nine times in ten the true difference is within these limits. LSC: least significant change, which measuring the same body twice exceeds one time in twenty; changed: whether the difference exceeds it.";
     LSC = "compare-lsc": "LSC [mm]";
     MEAN = "compare-mean": "mean [mm]";
     MET_AGAIN = "compare-met-again": "Different settings, identical results: {nodes}.";
     NODE = "compare-node": "node";
-    OFF = "compare-off": "off [mm]";
+    OFF = "compare-off": "difference [mm]";
     ONLY = "compare-only": "Only {side} has {nodes}.";
     OTHER = "compare-other": "other";
     P95 = "compare-95": "95 % within [mm]";
@@ -43,11 +43,11 @@ stage::messages! {
     SAME_SHARED = "compare-same-shared": "{side} made the same bytes as {first} in every node that both have.";
     SETTINGS = "compare-settings": "Settings that differ";
     SURFACE = "compare-surface": "surface";
-    SURFACES = "compare-surfaces": "Surfaces, from the first";
+    SURFACES = "compare-surfaces": "Surfaces: distances from the first";
     TO = "compare-to": "{low} to {high}";
     VOLUME = "compare-volume": "volume [l]";
     WHAT = "compare-what": "what";
-    WITHIN = "compare-within": "within";
+    WITHIN = "compare-within": "within the limit";
     WITHIN_NOT = "compare-within-not": "NO, {mm} mm";
     WITHIN_YES = "compare-within-yes": "yes, {mm} mm";
 }
@@ -269,8 +269,8 @@ pub fn json(c: &Comparison) -> Value {
         let change = |c: &super::Change| json!({ "node": c.node, "what": c.what, "old": c.old, "new": c.new });
         json!({
             "name": side.name, "first_diverging": d.first, "diverged": d.diverged,
-            "only_first": d.gone, "only_this": d.new, "same_bytes_though_told_otherwise": d.met_again,
-            "changes": d.changes.iter().map(change).collect::<Vec<_>>(), "surface": apart, "laid_on_first": laid,
+            "only_first": d.gone, "only_this": d.new, "same_bytes_by_other_settings": d.met_again,
+            "changes": d.changes.iter().map(change).collect::<Vec<_>>(), "surface": apart, "aligned_to_first": laid,
         })
     };
     json!({
