@@ -1,4 +1,4 @@
-//! The example of another application: its pipeline, its parts, a variant, a sweep, its command line.
+//! The example of another application: its pipeline, a sweep, a program, its command line.
 
 #[path = "../examples/words/application.rs"]
 mod application;
@@ -6,16 +6,12 @@ mod application;
 mod nouns;
 
 use application::{CATALOG, WORDS};
+use engine::Options;
 use engine::recipe::{Overrides, open};
-use engine::walk::Watch;
-use engine::{Options, Outcome};
-use nouns::{Counts, Text};
+use nouns::Text;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
-
-struct Nobody;
-impl Watch for Nobody {}
 
 fn example() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/words")
@@ -29,69 +25,6 @@ fn texts(place: &Path) -> PathBuf {
         std::fs::copy(example().join("texts").join(name), texts.join(name)).unwrap();
     }
     texts
-}
-
-fn run(place: &Path, texts: &Path, overrides: &Overrides) -> Outcome {
-    let graph = open(&example().join("words.toml"), overrides, &CATALOG);
-    let graph = graph.unwrap_or_else(|mistakes| panic!("{mistakes}"));
-    let folders = [("texts".to_owned(), texts.to_owned())];
-    let options = Options {
-        cache: place.join("cache"),
-        threads: Some(2),
-        keep_going: false,
-    };
-    let go = AtomicBool::new(false);
-    engine::run(&graph, &folders, &graph.goal, &options, &Nobody, &go).unwrap()
-}
-
-/// How many files were read for the counts, now or when they were made.
-fn files_read(outcome: &Outcome) -> f64 {
-    let metrics = outcome
-        .nodes
-        .iter()
-        .flatten()
-        .flat_map(|done| &done.metrics);
-    metrics
-        .clone()
-        .find(|m| m.name == "files read")
-        .unwrap()
-        .value
-}
-
-#[test]
-fn a_file_that_was_counted_before_is_not_read_again() {
-    let place = tempfile::tempdir().unwrap();
-    let texts = texts(place.path());
-    let first = run(place.path(), &texts, &Overrides::default());
-    assert_eq!(files_read(&first), 2.0);
-    let report = first.read::<Text>("report").unwrap();
-    assert_eq!(
-        report.0,
-        "11 words in all\n     4 is\n     3 what\n     2 not\n"
-    );
-    std::fs::write(texts.join("three.txt"), "The walk is done.").unwrap();
-    let more = run(place.path(), &texts, &Overrides::default());
-    assert_eq!(files_read(&more), 1.0);
-    let counts = more.read::<Counts>("counts").unwrap();
-    assert_eq!((counts.files.len(), counts.all()["walk"]), (3, 3));
-    let error = more.read::<Text>("counts").unwrap_err().to_string();
-    assert_eq!(error, "`counts` makes counts, not text");
-    let error = more.read::<Text>("repord").unwrap_err().to_string();
-    assert!(error.contains("did you mean `report`"), "{error}");
-}
-
-#[test]
-fn a_variant_passes_short_words_over() {
-    let place = tempfile::tempdir().unwrap();
-    let texts = texts(place.path());
-    let long = Overrides {
-        variant: Some("long".into()),
-        sets: vec!["report.most=2".into()],
-    };
-    let report = run(place.path(), &texts, &long)
-        .read::<Text>("report")
-        .unwrap();
-    assert_eq!(report.0, "5 words in all\n     1 again\n     1 finds\n");
 }
 
 #[test]
@@ -183,7 +116,7 @@ fn a_program_of_the_example_counts_on_what_our_stage_made() {
     };
     let folders = [("texts".to_owned(), texts)];
     let go = AtomicBool::new(false);
-    let outcome = engine::run(&graph, &folders, &graph.goal, &options, &Nobody, &go).unwrap();
+    let outcome = engine::run(&graph, &folders, &graph.goal, &options, &(), &go).unwrap();
     let text = outcome.read::<Text>("longest").unwrap();
     let lengths = |line: &str| line.split(' ').next().map(str::len);
     assert_eq!(text.0.lines().count(), 2, "{text:?}");

@@ -1,10 +1,10 @@
 //! A machine of a story: its disk, clock and captures, how it uses the shared store, and what is known of it.
 
 use super::captures::{files, photos};
-use super::disk::Steps;
 use super::keys::Key;
 use super::known::Known;
 use super::story::{CAPTURES, Setup, Use};
+use crate::store::Steps;
 use stage::Files;
 use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};

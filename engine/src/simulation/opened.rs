@@ -1,13 +1,12 @@
 //! A machine's store and its link to the shared one, as a process opens them.
 
-use super::disk::Simulated;
 use super::keys::{self, Word};
 use super::process::Process;
 use super::server::Asked;
 use super::story::Use;
 use super::world::World;
-use crate::store::Store;
 use crate::store::remote::{KeysOf, Link, Patience, Seal, drain, working_beside};
+use crate::store::{Simulated, Store};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
@@ -120,7 +119,7 @@ impl World {
     ) -> Result<Store, String> {
         let machine = &self.machines[process.machine];
         let disk = Simulated {
-            process: process.clone(),
+            user: process.clone(),
             steps: machine.steps.clone(),
         };
         Store::simulated(&machine.root, Box::new(disk), link).map_err(|why| why.to_string())

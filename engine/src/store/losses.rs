@@ -2,13 +2,38 @@
 //! power after each. `ENGINE_LOSSES=1000` takes so many sequences of steps, `ENGINE_LOSSES_SEED` other ones.
 
 use super::index::Index;
-use super::simulated::{Simulated, after_loss, laid};
+use super::simulated::{Simulated, User, after_loss, laid};
 use super::{Record, Store, StoreError, retention};
 use crate::own;
 use proof::Dice;
 use stage::Hash;
+use std::io::{Error, ErrorKind};
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
+
+/// The step of this number fails.
+#[derive(Default)]
+struct Fails {
+    at: Option<usize>,
+    tried: AtomicUsize,
+}
+
+impl User for Arc<Fails> {
+    fn step(&self, _: bool) -> std::io::Result<()> {
+        let fails = self.ends_next();
+        self.tried.fetch_add(1, Ordering::Relaxed);
+        match fails {
+            true => Err(Error::from(ErrorKind::StorageFull)),
+            false => Ok(()),
+        }
+    }
+    fn ends_next(&self) -> bool {
+        self.at == Some(self.tried.load(Ordering::Relaxed))
+    }
+}
+
+type Disk = Simulated<Arc<Fails>>;
 
 /// A result that is to be kept.
 struct Result {
@@ -46,7 +71,7 @@ fn publish(store: &Store, result: &Result) -> std::result::Result<(), StoreError
 
 /// A part, a result, a record of a run and the index, again and again; how many steps were done when
 /// each result was safe, if it was to be.
-fn work(store: &Store, disk: &Simulated, results: &[Result]) -> Vec<Option<usize>> {
+fn work(store: &Store, disk: &Disk, results: &[Result]) -> Vec<Option<usize>> {
     let one = |result: &Result| {
         let _ = store.remember(result.key, b"half of it");
         let done = publish(store, result).is_ok();
@@ -83,7 +108,7 @@ fn hold(store: &Store, results: &[Result], round: &str) {
 }
 
 /// A store whose disk is simulated.
-fn simulated(root: &Path, disk: &Simulated) -> std::result::Result<Store, StoreError> {
+fn simulated(root: &Path, disk: &Disk) -> std::result::Result<Store, StoreError> {
     Store::with(root, Box::new(disk.clone()), OnceLock::new())
 }
 
@@ -98,7 +123,7 @@ fn power_may_go_after_any_step_and_what_was_to_be_safe_is() {
     let mut losses = 0;
     for seed in rounds(4) {
         let mut dice = Dice(seed);
-        let (place, disk) = (tempfile::tempdir().unwrap(), Simulated::default());
+        let (place, disk) = (tempfile::tempdir().unwrap(), Disk::default());
         let results = results(&mut dice);
         let safe = work(&simulated(place.path(), &disk).unwrap(), &disk, &results);
         let steps = disk.steps.lock().unwrap().clone();
@@ -107,7 +132,7 @@ fn power_may_go_after_any_step_and_what_was_to_be_safe_is() {
             let after = tempfile::tempdir().unwrap();
             let left = after_loss(&steps[..end], place.path(), &mut dice);
             laid(&left, place.path(), after.path());
-            let store = simulated(after.path(), &Simulated::default());
+            let store = simulated(after.path(), &Disk::default());
             let store = store.unwrap_or_else(|e| panic!("{round}: {e}"));
             store.index().trust(after.path());
             for (r, _) in results
@@ -135,18 +160,19 @@ fn any_step_may_fail_and_the_store_is_sound() {
         let results = results(&mut Dice(seed));
         for fails in 0.. {
             let place = tempfile::tempdir().unwrap();
-            let disk = Simulated {
-                fails: Some(fails),
-                ..Simulated::default()
+            let (at, tried) = (Some(fails), AtomicUsize::new(0));
+            let disk = Disk {
+                user: Arc::new(Fails { at, tried }),
+                ..Disk::default()
             };
             if let Ok(store) = simulated(place.path(), &disk) {
                 work(&store, &disk, &results);
             }
-            if disk.tried() <= fails {
+            if disk.user.tried.load(Ordering::Relaxed) <= fails {
                 break;
             }
             let round = format!("seed {seed}, step {fails} fails");
-            let store = simulated(place.path(), &Simulated::default()).unwrap();
+            let store = simulated(place.path(), &Disk::default()).unwrap();
             assert!(Index::load(&place.path().join("index")).entries.len() <= results.len());
             hold(&store, &results, &round);
             let left = own::files(store.root(), "tmp", |_| true).unwrap();

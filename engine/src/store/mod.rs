@@ -32,8 +32,6 @@ pub(crate) mod error;
 mod files;
 mod folder;
 mod forget;
-#[cfg(test)]
-mod forgetting;
 mod found;
 mod index;
 mod lease;
@@ -55,9 +53,9 @@ mod simulated;
 mod trace;
 
 #[cfg(test)]
-pub(crate) use disk::{Disk, Real};
+pub(crate) use disk::Real;
 #[cfg(test)]
-pub(crate) use simulated::{Step, after_loss, below, in_memory, laid};
+pub(crate) use simulated::{Simulated, Step, Steps, User, after_loss, below, in_memory, laid};
 
 pub use blob::Blob;
 pub use delivered::Delivered;

@@ -26,68 +26,70 @@ pub(crate) enum Step {
     Remove(PathBuf),
 }
 
-/// The real disk with its steps written down; the one of this number fails, or that and all after it.
-#[derive(Clone, Default)]
-pub(super) struct Simulated {
-    pub(super) steps: Arc<Mutex<Vec<Step>>>,
-    pub(super) fails: Option<usize>,
-    /// As for a process that is killed there.
-    pub(super) ends: Option<usize>,
-    pub(super) count: Arc<Mutex<usize>>,
+/// The steps of a disk since it was last known what is on it.
+pub(crate) type Steps = Arc<Mutex<Vec<Step>>>;
+
+/// Whose disk it is: what happens before a step.
+pub(crate) trait User: Send + Sync {
+    /// Whether the step is done; one that `grows` takes space.
+    fn step(&self, grows: bool) -> Result<()>;
+    /// Whether the next step is the last, or fails.
+    fn ends_next(&self) -> bool;
 }
 
-impl Simulated {
-    /// How many steps were tried.
-    pub(super) fn tried(&self) -> usize {
-        *self.count.lock().unwrap()
-    }
+/// The real disk with its steps counted and written down.
+#[derive(Clone, Default)]
+pub(crate) struct Simulated<U> {
+    pub(crate) user: U,
+    pub(crate) steps: Steps,
+}
 
-    fn step<T>(&self, step: Step, real: impl FnOnce() -> Result<T>) -> Result<T> {
-        let number = {
-            let mut tried = self.count.lock().unwrap();
-            *tried += 1;
-            *tried - 1
-        };
-        if self.fails == Some(number) || self.ends.is_some_and(|end| number >= end) {
-            return Err(Error::from(ErrorKind::StorageFull));
-        }
+impl<U: User> Simulated<U> {
+    fn step<T>(&self, step: Step, grows: bool, real: impl FnOnce() -> Result<T>) -> Result<T> {
+        self.user.step(grows)?;
         let done = real()?;
-        self.steps.lock().unwrap().push(step);
+        self.note(step);
         Ok(done)
     }
+
+    fn note(&self, step: Step) {
+        self.steps.lock().expect("no panic").push(step);
+    }
 }
 
-impl Disk for Simulated {
+impl<U: User> Disk for Simulated<U> {
     fn folder(&self, path: &Path) -> Result<()> {
-        self.step(Step::Folder(path.into()), || Real.folder(path))
+        self.step(Step::Folder(path.into()), true, || Real.folder(path))
     }
     fn create(&self, path: &Path) -> Result<File> {
-        self.step(Step::Create(path.into()), || Real.create(path))
+        self.step(Step::Create(path.into()), true, || Real.create(path))
     }
     fn write(&self, file: &mut File, path: &Path, bytes: &[u8]) -> Result<()> {
-        if [self.fails, self.ends].contains(&Some(self.tried())) {
+        if self.user.ends_next() {
             // Torn: what fails may have written half.
-            Real.write(file, path, &bytes[..bytes.len() / 2])?;
+            let half = &bytes[..bytes.len() / 2];
+            Real.write(file, path, half)?;
+            self.note(Step::Write(path.into(), half.to_vec()));
         }
         let step = Step::Write(path.into(), bytes.to_vec());
-        self.step(step, || Real.write(file, path, bytes))
+        self.step(step, true, || Real.write(file, path, bytes))
     }
     fn sync(&self, _: &File, path: &Path) -> Result<()> {
-        self.step(Step::Sync(path.into()), || Ok(()))
+        self.step(Step::Sync(path.into()), false, || Ok(()))
     }
     fn rename(&self, from: &Path, to: &Path) -> Result<()> {
         let step = Step::Rename(from.into(), to.into());
-        self.step(step, || Real.rename(from, to))
+        self.step(step, false, || Real.rename(from, to))
     }
     fn link(&self, from: &Path, to: &Path) -> Result<()> {
         let step = Step::Link(from.into(), to.into());
-        self.step(step, || Real.link(from, to))
+        self.step(step, true, || Real.link(from, to))
     }
     fn sync_names(&self, folder: &Path) -> Result<()> {
-        self.step(Step::SyncNames(folder.into()), || Ok(()))
+        self.step(Step::SyncNames(folder.into()), false, || Ok(()))
     }
     fn remove(&self, path: &Path) -> Result<()> {
-        self.step(Step::Remove(path.into()), || Real.remove(path))
+        self.step(Step::Remove(path.into()), false, || Real.remove(path))
     }
     fn unlink(&self, root: &Path, folders: &[&str], name: &str) -> bool {
         let path = folders.iter().fold(root.to_owned(), |at, f| at.join(f));
@@ -95,10 +97,11 @@ impl Disk for Simulated {
         if !path.is_file() {
             return false;
         }
-        let step = Step::Remove(path);
-        let removed = self.step(step, || match Real.unlink(root, folders, name) {
-            true => Ok(()),
-            false => Err(Error::from(ErrorKind::NotFound)),
+        let removed = self.step(Step::Remove(path), false, || {
+            match Real.unlink(root, folders, name) {
+                true => Ok(()),
+                false => Err(Error::from(ErrorKind::NotFound)),
+            }
         });
         removed.is_ok()
     }

@@ -1,15 +1,8 @@
 //! When work is done and when not: what ran, on a chain clean → mid → final.
 
-use crate::place::{ALL, Log, NONE, Place, chain, graph};
+use crate::place::{Log, NONE, Place, chain, graph};
 use engine::store::{Store, retention};
 use engine::walk::Status;
-
-#[test]
-fn all_runs_once_then_nothing() {
-    let place = Place::new("hello\n");
-    assert_eq!(place.run(1), ALL);
-    assert_eq!(place.run(1), NONE);
-}
 
 #[test]
 fn a_touched_file_reruns_nothing_and_a_comment_reruns_one() {
@@ -48,27 +41,6 @@ fn a_flipped_byte_is_found_put_aside_and_rebuilt() {
         retention::verify(&Store::open(&place.cache()).unwrap()).unwrap(),
         0
     );
-}
-
-#[test]
-fn a_lost_result_or_a_garbled_record_is_a_miss() {
-    let place = Place::new("hello\n");
-    place.run(1);
-    std::fs::remove_file(place.blob(1, "final")).unwrap();
-    assert_eq!(place.run(1).len(), 1);
-    for (i, record) in place.shelf("ac").iter().enumerate() {
-        let bytes = std::fs::read(record).unwrap();
-        std::fs::write(
-            record,
-            if i % 2 == 0 {
-                &bytes[..bytes.len() / 2]
-            } else {
-                b""
-            },
-        )
-        .unwrap();
-    }
-    assert_eq!(place.run(1), ALL);
 }
 
 #[test]
@@ -121,22 +93,6 @@ fn a_store_of_another_layout_is_refused() {
         std::fs::write(place.cache().join("format"), torn).unwrap();
         assert_eq!(place.run(1), NONE);
     }
-}
-
-#[test]
-fn any_number_of_threads_gives_equal_contents() {
-    let place = Place::new("hello\n");
-    let contents = |threads: usize| {
-        let cache = place.path().join(format!("cache{threads}"));
-        place.run_in(&chain(3), &cache, threads);
-        let store = Store::open(&cache).unwrap();
-        retention::list(&store)
-            .unwrap()
-            .into_iter()
-            .map(|k| (k.key, k.content))
-            .collect::<Vec<_>>()
-    };
-    assert_eq!(contents(1), contents(4));
 }
 
 #[test]

@@ -6,43 +6,11 @@ use engine::plan;
 use engine::store::retention;
 use engine::walk::{Status, Watch};
 use engine::{self, EngineError, Options};
-use proof::Dice;
 use std::fs::{File, FileTimes};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
-
-#[test]
-fn random_blobs_may_go_and_only_what_is_read_again_is_made_again() {
-    let mut dice = Dice(3);
-    for _ in 0..6 {
-        let place = Place::new("hello\n");
-        let first = place.outcome(&chain(1), &place.cache(), 2, &Log::default());
-        let blobs = place.shelf("cas");
-        let gone: Vec<_> = blobs.iter().filter(|_| dice.unit() < 0.4).collect();
-        gone.iter()
-            .for_each(|blob| std::fs::remove_file(blob).unwrap());
-        let again = place.outcome(&chain(1), &place.cache(), 2, &Log::default());
-        for (a, b) in first.nodes.iter().zip(&again.nodes) {
-            let (a, b) = (a.as_ref().unwrap(), b.as_ref().unwrap());
-            assert_eq!(a.content, b.content);
-            let hex = a.content.unwrap().to_hex();
-            let was_gone = gone.iter().any(|blob| blob.ends_with(hex.as_str()));
-            assert!(
-                b.status == Status::Hit || was_gone,
-                "made, but it was there"
-            );
-        }
-        for node in &chain(1).goal {
-            assert!(
-                again.artifact(&chain(1), *node).is_some(),
-                "what is wanted is there"
-            );
-        }
-    }
-}
 
 #[test]
 fn every_file_of_the_store_may_be_garbled() {
@@ -225,32 +193,6 @@ fn a_store_that_cannot_be_written_to_still_answers() {
         return;
     };
     assert!(error.to_string().contains("--cache"), "{error}");
-}
-
-/// The process of `processes::child` under a limit on the size of files, in place of a full disk.
-#[test]
-fn a_disk_that_takes_no_more_is_reported_and_the_next_run_goes_on() {
-    let place = Place::new(&"a long line\n".repeat(400));
-    let exe = std::env::current_exe().unwrap();
-    let run = |limit: &str| {
-        let line = format!(
-            "trap '' XFSZ; ulimit -f {limit}; exec \"$0\" --exact processes::child --ignored"
-        );
-        let mut bash = Command::new("bash");
-        bash.args(["-c", &line])
-            .arg(&exe)
-            .env("TOY_FOLDER", place.path())
-            .env("TOY_JOB", "1");
-        bash.output().unwrap()
-    };
-    let out = run("1");
-    let error =
-        String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
-    assert!(!out.status.success());
-    assert!(error.contains("free space"), "{error}");
-    assert_eq!(retention::verify(&place.store()).unwrap(), 0);
-    assert!(run("unlimited").status.success());
-    assert_eq!(place.run(1), NONE);
 }
 
 #[test]

@@ -10,7 +10,6 @@ mod laws;
 mod place;
 mod points;
 mod points_refused;
-mod power;
 mod processes;
 mod replicates;
 mod shared;

@@ -242,18 +242,3 @@ fn variants_cross_with_the_grid_and_zipped_params_go_side_by_side() {
         "{lines:?}"
     );
 }
-
-#[test]
-fn the_page_needs_no_network_and_holds_every_point() {
-    let place = Place::new();
-    let (rows, _) = place.sweep(GRID);
-    let page = sweep::page("s", "How <far>?", &rows, &|_, _| vec![], &|_| {
-        sweep::Behind::default()
-    })
-    .page;
-    for outside in ["http:", "https:", " src=", "@import", "url("] {
-        assert!(!page.contains(outside), "{outside}");
-    }
-    assert!(page.contains("How &lt;far&gt;?"));
-    assert_eq!(page.matches("<tr id=\"points-").count(), 6);
-}

@@ -249,18 +249,6 @@ fn what_is_old_goes_by_the_bucket_s_clock_and_everybody_asks_anew() {
 }
 
 #[test]
-fn what_is_forgotten_here_is_forgotten_there() {
-    let place = Place::new("hello\n");
-    let bucket = Bucket::new();
-    let [a] = caches(&place);
-    shared(&place, &a, &bucket, 1);
-    assert_eq!(bucket.names("ac").len(), 4);
-    let (_sharing, _) = begun(&a, &bucket, false);
-    let forgotten = engine::store::forget(&Store::open(&a).unwrap(), &place.src()).unwrap();
-    assert_eq!((forgotten.results, bucket.names("ac")), (4, vec![]));
-}
-
-#[test]
 fn read_only_takes_and_puts_nothing() {
     let place = Place::new(&texts()[1]);
     let bucket = Bucket::new();

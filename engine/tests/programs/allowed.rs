@@ -1,6 +1,6 @@
 //! Nothing runs that the user has not allowed, and what was allowed is that and nothing else.
 
-use crate::application::{Nobody, Place, shell};
+use crate::application::{Place, shell};
 use engine::plan::{State, plan};
 use std::os::unix::fs::PermissionsExt;
 
@@ -10,7 +10,7 @@ const NODE: &str = "[node.x]\nstage = \"exec\"\nout = \"text\"\n\
 
 fn runs(place: &Place, nodes: &str, sets: &[&str]) -> Result<(), String> {
     let graph = place.open(nodes, sets).unwrap();
-    let outcome = place.run(&graph, &Nobody, &false.into())?;
+    let outcome = place.run(&graph, &(), &false.into())?;
     match outcome.failure(&graph) {
         Some((_, why)) => panic!("{why}"),
         None => Ok(()),
@@ -67,7 +67,7 @@ fn a_plan_runs_no_identity_that_was_not_allowed() {
     let lines = graph.nodes[0].program.as_ref().unwrap().lines();
     let identity = lines.iter().find(|(what, _)| what == "identity").unwrap();
     assert!(identity.1.starts_with("unknown until allowed"), "{lines:?}");
-    assert!(place.run(&graph, &Nobody, &false.into()).is_err());
+    assert!(place.run(&graph, &(), &false.into()).is_err());
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn a_permission_that_came_with_a_cache_is_none() {
     let file = folder.join(permission.to_hex().as_str());
     std::fs::write(&file, "x: sh\n").unwrap();
     std::fs::set_permissions(&file, PermissionsExt::from_mode(0o600)).unwrap();
-    let reported = place.run(&graph, &Nobody, &false.into()).err();
+    let reported = place.run(&graph, &(), &false.into()).err();
     assert!(reported.expect("it is refused").contains("--allow-exec"));
 }
 

@@ -168,10 +168,6 @@ pub(crate) static CATALOG: Catalog = Catalog {
     ],
 };
 
-/// Nobody listens.
-pub(crate) struct Nobody;
-impl Watch for Nobody {}
-
 /// A folder with a pipeline, its files, a source and a store.
 pub(crate) struct Place(tempfile::TempDir);
 
@@ -244,7 +240,7 @@ impl Place {
     /// Allows and runs.
     pub(crate) fn made(&self, graph: &Graph) -> Outcome {
         self.allow(graph);
-        let outcome = self.run(graph, &Nobody, &false.into()).unwrap();
+        let outcome = self.run(graph, &(), &false.into()).unwrap();
         assert_eq!(left(&self.path("cache")), Vec::<PathBuf>::new());
         outcome
     }

@@ -1,6 +1,6 @@
 //! Programs that fail, in every way there is: each is reported, nothing of them is kept, nothing stays.
 
-use crate::application::{Nobody, Place, done, left, shell};
+use crate::application::{Place, done, left, shell};
 use crate::node::installed;
 use engine::foreign::Sandbox;
 use engine::walk::Status;
@@ -134,7 +134,7 @@ fn who_is_stopped_takes_children_along_and_is_no_failure() {
     place.allow(&graph);
     let cancel = AtomicBool::new(false);
     let outcome = std::thread::scope(|scope| {
-        let run = scope.spawn(|| place.run(&graph, &Nobody, &cancel).unwrap());
+        let run = scope.spawn(|| place.run(&graph, &(), &cancel).unwrap());
         let start = Instant::now();
         while !runs("4713.25") && start.elapsed() < Duration::from_secs(20) {
             std::thread::sleep(Duration::from_millis(5));
@@ -156,7 +156,7 @@ fn an_identity_that_changes_while_the_program_runs_is_reported_and_nothing_is_ke
     let graph = place.graph(&nodes);
     place.allow(&graph);
     let why = std::thread::scope(|scope| {
-        let run = scope.spawn(|| place.run(&graph, &Nobody, &false.into()).unwrap());
+        let run = scope.spawn(|| place.run(&graph, &(), &false.into()).unwrap());
         std::thread::sleep(Duration::from_millis(500));
         installed(&place, "2\n");
         let outcome = run.join().unwrap();
@@ -184,7 +184,7 @@ fn an_identity_that_fails_is_reported_before_anything_runs() {
     ));
     place.allow(&graph);
     let why = place
-        .run(&graph, &Nobody, &false.into())
+        .run(&graph, &(), &false.into())
         .err()
         .expect("it fails");
     assert!(
@@ -201,7 +201,7 @@ fn a_file_that_changes_after_the_pipeline_was_read_is_reported() {
     let graph = place.graph(nodes);
     place.allow(&graph);
     place.write("a.sh", "echo b > $1\n");
-    let outcome = place.run(&graph, &Nobody, &false.into()).unwrap();
+    let outcome = place.run(&graph, &(), &false.into()).unwrap();
     let why = outcome.failure(&graph).unwrap().1;
     assert!(
         why.contains("a.sh changed while the run was using it"),

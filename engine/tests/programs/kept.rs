@@ -1,6 +1,6 @@
 //! A program that stays for the run: given each job, ended at last, whatever it does.
 
-use crate::application::{Nobody, Place, Text, left};
+use crate::application::{Place, Text, left};
 use engine::Options;
 use engine::recipe::Overrides;
 use engine::sweep::{self, End, Points, Sweeping, axes};
@@ -60,7 +60,7 @@ fn one_program_serves_all_points_and_ends_with_them() {
         },
         tell: &[],
         errors: None,
-        watch: &Nobody,
+        watch: &(),
         cancel: &false.into(),
     };
     let rows = sweep::run(

@@ -1,11 +1,11 @@
 //! A program is a node as any other: what it gets, its key, its progress.
 
-use crate::application::{Nobody, Pages, Place, Text, done, is_made, left, shell};
+use crate::application::{Pages, Place, Text, done, is_made, shell};
 use crate::sandboxed::full_sandbox;
 use engine::plan::{State, plan};
 use engine::store::retention::{Budget, gc};
+use engine::verify;
 use engine::walk::Watch;
-use engine::{permission, verify};
 use std::os::unix::fs::PermissionsExt;
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -181,33 +181,6 @@ fn a_program_that_is_not_the_same_twice_is_found() {
     let outcome = place.made(&steady);
     let found = verify::verify(&steady, &[], &outcome, &options, &false.into(), &again);
     assert_eq!(found.unwrap(), vec![]);
-}
-
-#[test]
-fn eight_threads_and_one_give_equal_contents() {
-    let place = Place::new();
-    let mut nodes = String::new();
-    for i in 0..6 {
-        nodes += &shell(&format!("echo {i} > $1"), "").replace("node.x", &format!("node.n{i}"));
-    }
-    nodes += "[node.x]\nstage = \"exec\"\nout = \"text\"\nfrom = [\"n0\", \"n1\", \"n2\", \"n3\", \"n4\", \"n5\"]\n\
-         command = [\"sh\", \"-c\", 'cat \"$@\" > \"$0\"', \"{out}\", \"{from.n0}\", \"{from.n1}\", \"{from.n2}\", \"{from.n3}\", \"{from.n4}\", \"{from.n5}\"]\n";
-    let graph = place.graph(&nodes);
-    let contents = [1, 8].map(|threads| {
-        let cache = place.path(&format!("cache{threads}"));
-        let all: Vec<usize> = (0..graph.nodes.len()).collect();
-        let graph = place.graph(&nodes);
-        permission::allow(&graph, &all).unwrap();
-        let options = engine::Options {
-            cache: cache.clone(),
-            threads: Some(threads),
-            keep_going: false,
-        };
-        let outcome = engine::run(&graph, &[], &graph.goal, &options, &Nobody, &false.into());
-        assert_eq!(left(&cache), Vec::<PathBuf>::new());
-        done(&outcome.unwrap(), &graph, "x").content
-    });
-    assert!(contents[0].is_some() && contents[0] == contents[1]);
 }
 
 #[test]

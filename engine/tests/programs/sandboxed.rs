@@ -1,6 +1,6 @@
 //! What a program cannot do in the sandbox, whoever it is started by. Each line here got through once.
 
-use crate::application::{Nobody, Place, left, shell};
+use crate::application::{Place, left, shell};
 use engine::foreign::{Sandbox, sandbox};
 use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
@@ -231,7 +231,7 @@ for i in range(3000):
     let line = format!("{deep}; {shut}; cd $(dirname $1); {deep}; echo a > $1");
     let graph = place.graph(&shell(&line, ""));
     place.allow(&graph);
-    let outcome = place.run(&graph, &Nobody, &false.into()).unwrap();
+    let outcome = place.run(&graph, &(), &false.into()).unwrap();
     let why = outcome.failure(&graph).unwrap().1;
     assert!(why.contains("more than 100 folders in each other"), "{why}");
     assert_eq!(left(&place.path("cache")), Vec::<PathBuf>::new());
@@ -273,7 +273,7 @@ fn what_is_declared_to_be_read_is_there_and_its_change_is_noticed() {
         let graph = place.graph(&shell("echo a > $1", &format!("reads = [{reads:?}]\n")));
         place.allow(&graph);
         place
-            .run(&graph, &Nobody, &false.into())
+            .run(&graph, &(), &false.into())
             .err()
             .unwrap_or_default()
     };

@@ -37,14 +37,7 @@ fn jobs(place: &Place, program: &str) -> Vec<Result<String, String>> {
         threads: Some(1),
         ..place.options()
     };
-    let outcome = engine::run(
-        &graph,
-        &[],
-        &all,
-        &options,
-        &crate::application::Nobody,
-        &false.into(),
-    );
+    let outcome = engine::run(&graph, &[], &all, &options, &(), &false.into());
     let outcome = outcome.unwrap();
     let one = |name: &&str| match outcome.read::<Text>(name) {
         Ok(text) => Ok(text.0.clone()),
