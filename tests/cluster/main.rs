@@ -2,7 +2,6 @@
 
 mod exports;
 mod place;
-mod publishing;
 mod site;
 mod slurm;
 mod workers;

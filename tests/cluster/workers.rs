@@ -2,7 +2,6 @@
 
 use crate::place::Place;
 use std::process::Stdio;
-use std::time::Duration;
 
 const CELLS: &str = "50,45,40";
 
@@ -39,25 +38,6 @@ fn processes_make_each_strand_once_and_come_to_what_one_sweep_does() {
     let alone = Place::new();
     alone.swept(CELLS);
     assert_eq!(place.contents(), alone.contents());
-}
-
-#[test]
-fn a_killed_worker_leaves_nothing_to_unlock_and_another_goes_on() {
-    let place = Place::new();
-    let (plan, _) = place.plan("8,50");
-    let strand = ["work", "--plan", &plan, "--strand", "0-2"];
-    let mut lost = 0;
-    for wait_ms in [30, 60, 120, 250] {
-        let mut child = place.tailor(&strand).stderr(Stdio::null()).spawn().unwrap();
-        std::thread::sleep(Duration::from_millis(wait_ms));
-        child.kill().unwrap();
-        lost += usize::from(!child.wait().unwrap().success());
-    }
-    assert!(lost > 0, "none was killed in time");
-    assert!(place.run(&strand).status.success());
-    assert_eq!(place.swept("8,50"), (0, 4));
-    let found = place.run(&["cache", "verify"]);
-    assert!(found.status.success());
 }
 
 #[test]

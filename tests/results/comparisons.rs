@@ -56,19 +56,11 @@ pub(crate) fn folder(
     folder
 }
 
+/// The exit code, and all that is printed.
 fn tailor(args: &[&str]) -> (Option<i32>, String) {
     let cache = tempfile::tempdir().unwrap();
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tailor"));
-    let command = command.args(args).arg("--cache").arg(cache.path());
-    let ran = command
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .unwrap();
-    let text = [ran.stdout, ran.stderr].concat();
-    (
-        ran.status.code(),
-        String::from_utf8_lossy(&text).into_owned(),
-    )
+    let (code, out, err) = crate::ran(args, cache.path());
+    (code, out + &err)
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! `tailor follow`: the same body turned, moved and with its arms in another pose is the same; what grew is found.
 
+use crate::ran;
 use follow::{Halves, PARTS, Target, carried, growth, posed, rigid, segments, volumes};
 use nalgebra::{Isometry3, Point3, Vector3};
 use serde_json::Value;
@@ -116,18 +117,6 @@ fn volumes_of_parts_are_those_of_the_whole() {
     proof::near(all[4] / all[5], 1.0, 0.02);
 }
 
-fn tailor(args: &[&str], cache: &Path) -> (Option<i32>, String, String) {
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tailor"));
-    let ran = command
-        .args(args)
-        .arg("--cache")
-        .arg(cache)
-        .output()
-        .unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (ran.status.code(), text(ran.stdout), text(ran.stderr))
-}
-
 /// A surface measured by the program, as a folder of results.
 fn capture(place: &Path, name: &str, mesh: &Mesh) -> PathBuf {
     let scan = place.join("scans").join(name);
@@ -147,7 +136,7 @@ fn capture(place: &Path, name: &str, mesh: &Mesh) -> PathBuf {
         "--out",
         out.to_str().unwrap(),
     ];
-    let (code, _, errors) = tailor(&args, &place.join("cache"));
+    let (code, _, errors) = ran(&args, &place.join("cache"));
     assert_eq!(code, Some(0), "{errors}");
     out
 }
@@ -171,7 +160,7 @@ fn a_belt_that_grew_is_found_at_its_level() {
     let out = place.path().join("out");
     let [may, june, known, o] = [&may, &june, &known, &out].map(|p| p.to_str().unwrap());
     let cache = place.path().join("cache");
-    let (code, text, errors) = tailor(
+    let (code, text, errors) = ran(
         &[
             "follow", "Anna", june, may, "--json", "--repeat", known, "--out", o,
         ],
@@ -225,7 +214,7 @@ fn somebody_else_is_noticed_and_what_cannot_be_followed_is_refused() {
     let small = capture(place.path(), "bert-2026-07-01", &body(42.0, 1690.0, 0.0));
     let [may, small] = [&may, &small].map(|p| p.to_str().unwrap());
     let cache = place.path().join("cache");
-    let (code, text, errors) = tailor(&["follow", "Anna", may, small], &cache);
+    let (code, text, errors) = ran(&["follow", "Anna", may, small], &cache);
     assert_eq!(code, Some(0), "{errors}");
     assert!(
         text.contains("may be somebody else's capture: its stature is -6"),
@@ -236,7 +225,7 @@ fn somebody_else_is_noticed_and_what_cannot_be_followed_is_refused() {
         (vec!["follow", "Anna", may, may], "is given twice"),
         (vec!["follow", "Anna", may, "nosuch"], "is not there"),
     ] {
-        let (code, _, errors) = tailor(&args, &cache);
+        let (code, _, errors) = ran(&args, &cache);
         assert_eq!(code, Some(2), "{args:?}: {errors}");
         assert!(errors.contains(what), "{args:?}: {errors}");
     }

@@ -2,7 +2,6 @@
 
 use crate::chromium::Tab;
 use stage::{Metric, Value};
-use std::time::{Duration, Instant};
 use tailor::sweep::{Behind, End, Point, Reference, Row};
 
 const DESK: [u32; 2] = [1280, 900];
@@ -150,19 +149,4 @@ fn fits(tab: &mut Tab) {
         "[...document.querySelectorAll('section')].filter((s) => s.scrollWidth > s.clientWidth + 1).map((s) => s.querySelector('h2').textContent)",
     );
     assert_eq!(out, serde_json::json!([]), "cards that scroll at 1280 px");
-}
-
-#[test]
-fn a_page_of_two_hundred_points_is_there_in_a_second() {
-    let rows: Vec<Row> = (0..200)
-        .map(|i| row(i % 24, Some(i as u32 / 24 + 1)))
-        .collect();
-    let start = Instant::now();
-    let shown = tailor::sweep::page("s", "?", &rows, &limits, &|_| Behind::default());
-    assert!(
-        start.elapsed() < Duration::from_secs(1),
-        "{:?}",
-        start.elapsed()
-    );
-    assert!(shown.page.contains("replicate by replicate"));
 }

@@ -1,5 +1,6 @@
 //! `tailor repeat`: captures of the same people, from the command line.
 
+use crate::ran;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -12,13 +13,6 @@ fn capture(place: &Path, name: &str, tapes: &[(&str, f64)]) -> PathBuf {
     let file = json!({ "unit": "cm", "girths": list });
     std::fs::write(folder.join("girths.json"), file.to_string()).unwrap();
     folder
-}
-
-fn tailor(args: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tailor"));
-    let ran = command.args(args).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (ran.status.code(), text(ran.stdout), text(ran.stderr))
 }
 
 #[test]
@@ -37,7 +31,7 @@ fn two_people_twice_have_errors_correlation_and_plots() {
     let out = place.path().join("out");
     let mut args = vec!["repeat", "--json", "--out", out.to_str().unwrap()];
     args.extend(all.iter().map(|p| p.to_str().unwrap()));
-    let (code, text, errors) = tailor(&args);
+    let (code, text, errors) = ran(&args, place.path());
     assert_eq!(code, Some(0), "{errors}");
     let study: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(study["people"][1]["person"], "bert");
@@ -75,7 +69,7 @@ fn captures_that_come_out_equal_err_by_their_rounding_at_least() {
     let all = all.map(|name| capture(place.path(), name, &[("CC", 912.3)]));
     let mut args = vec!["repeat", "--json"];
     args.extend(all.iter().map(|p| p.to_str().unwrap()));
-    let (code, text, errors) = tailor(&args);
+    let (code, text, errors) = ran(&args, place.path());
     assert_eq!(code, Some(0), "{errors}");
     let study: Value = serde_json::from_str(&text).unwrap();
     let chest = &study["repeatability"][0];
@@ -90,13 +84,7 @@ fn captures_that_come_out_equal_err_by_their_rounding_at_least() {
         (2.0f64 / 0.050_64).sqrt(),
         0.01,
     );
-    let (_, text, _) = tailor(
-        &args[..1]
-            .iter()
-            .chain(&args[2..])
-            .copied()
-            .collect::<Vec<_>>(),
-    );
+    let (_, text, _) = ran(&[&args[..1], &args[2..]].concat(), place.path());
     assert!(text.contains("0.03 mm at least"), "{text}");
 }
 
@@ -117,11 +105,11 @@ fn what_cannot_be_known_is_refused_with_what_to_do() {
         (["repeat", anna, anna], "is given twice"),
         (["repeat", anna, "nosuch"], "nosuch is not there"),
     ] {
-        let (code, _, errors) = tailor(&args);
+        let (code, _, errors) = ran(&args, place.path());
         assert_eq!(code, Some(2), "{args:?}: {errors}");
         assert!(errors.contains(what), "{args:?}: {errors}");
     }
-    let (code, text, _) = tailor(&["repeat", anna, bert, "--by", "one"]);
+    let (code, text, _) = ran(&["repeat", anna, bert, "--by", "one"], place.path());
     assert_eq!(code, Some(0));
     assert!(text.contains("one person: no correlation"), "{text}");
     assert!(

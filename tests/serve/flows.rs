@@ -221,23 +221,6 @@ fn keys_alone_reach_all_and_language_and_unit_are_chosen() {
 }
 
 #[test]
-fn a_page_is_drawn_at_once_and_is_small() {
-    let server = Server::new();
-    let mut tab = tab("en");
-    tab.go(&server.url());
-    tab.go(&format!("{}/", server.origin()));
-    let paint = "performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? null";
-    tab.until(&format!("({paint}) !== null"));
-    let milliseconds = tab.value(paint).as_f64().unwrap();
-    let bytes = "performance.getEntriesByType('resource').concat(performance.getEntriesByType('navigation')).reduce((sum, e) => sum + e.decodedBodySize, 0)";
-    let bytes = tab.value(bytes).as_f64().unwrap();
-    println!("first paint after {milliseconds:.0} ms, {bytes} bytes");
-    assert!(bytes > 1000.0 && bytes < 300_000.0, "{bytes}");
-    // 0.2 s on a machine that does nothing else; five times that is wrong on any.
-    assert!(milliseconds < 1000.0, "{milliseconds}");
-}
-
-#[test]
 fn each_folder_becomes_a_capture_and_the_table_fills() {
     let server = Server::new();
     let mut tab = tab("en");

@@ -228,23 +228,3 @@ fn somebody_else_s_bucket_and_another_layout_are_refused() {
     former.write("format", mark.as_bytes());
     assert_eq!(begin(&former), "");
 }
-
-#[test]
-fn uploads_run_beside_the_work() {
-    let place = Place::new("hello\n");
-    let bucket = Bucket::new();
-    let [a] = caches(&place);
-    bucket.fail(Faults {
-        takes: Duration::from_millis(50),
-        ..Faults::default()
-    });
-    let (sharing, _) = begun(&a, &bucket, false);
-    let start = Instant::now();
-    // clean, then mid and other of 20 ms, then final.
-    place.run_in(&chain(1), &a, 2);
-    let worked = start.elapsed();
-    let left = sharing.finish(Duration::from_secs(20));
-    assert_eq!((left.sent, left.waiting), (4, 0));
-    // Reads that find nothing are waited for: nine at most. Sixteen requests that write are not.
-    assert!(worked < Duration::from_millis(1200), "{worked:?}");
-}
