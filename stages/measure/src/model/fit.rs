@@ -13,6 +13,7 @@
 //! line up readings with the survey's definitions (c, A) and give how well they are read (E), and
 //! nothing of where ribs are.
 
+use super::families::left_out;
 use super::file::{LevelModel, Population, Scope};
 use super::fit_error::FitError;
 use super::law::Law;
@@ -22,9 +23,10 @@ use super::line_up::{
     rounded,
 };
 use super::normal::Normal;
-use super::samples::{ANATOMY, Made, Person};
+use super::samples::{ANATOMY, Made, Person, fitted};
 use crate::features::readings::Reading;
 use nalgebra::{DMatrix, DVector};
+use shape::NINE_IN_TEN;
 
 const LEVELS: usize = Level::ALL.len();
 const WIDTH: usize = READINGS + LEVELS;
@@ -119,12 +121,28 @@ fn of_made(made: &[&Made], people: &[&Person]) -> Normal {
     Normal { mean, covariance }
 }
 
-/// Fits a model on people and made bodies; laws are fitted by themselves.
+/// Fits a model on people and made bodies; laws are fitted by themselves. Levels scatter by as much more as families left out
+/// in turn are missed by: whoever is measured is of none of them.
 pub(crate) fn fit(
     people: &[&Person],
     made: &[&Made],
     laws: Vec<Law>,
 ) -> Result<LevelModel, FitError> {
+    let mut model = LevelModel {
+        laws,
+        ..joint(people, made)?
+    };
+    for (l, more) in unexpected(people, made)?.into_iter().enumerate() {
+        for p in &mut model.populations {
+            let variance = &mut p.normal.covariance[(READINGS + l, READINGS + l)];
+            *variance = rounded(*variance + more);
+        }
+    }
+    Ok(model)
+}
+
+/// The model as if all that is measured were of the families that it is fitted on.
+pub(crate) fn joint(people: &[&Person], made: &[&Made]) -> Result<LevelModel, FitError> {
     let grown = like(people, made);
     let bias = picked_bias(people, &grown).ok_or(FitError::Singular("people"))?;
     let lined_up = line_up(&grown, &bias)?;
@@ -168,7 +186,7 @@ pub(crate) fn fit(
             READINGS,
             |m, k| m.readings.get(Reading::ALL[k]),
         ),
-        laws,
+        laws: Vec::new(),
     })
 }
 
@@ -182,4 +200,47 @@ fn population(name: String, scope: Scope, normal: Normal) -> Population {
             covariance: normal.covariance.map(rounded),
         },
     }
+}
+
+/// By how much the variance of each level is above what a fit expects, where it is to be right on nine in ten of a family
+/// that it has not seen, each family counting alike; shares of stature, squared.
+fn unexpected(people: &[&Person], made: &[&Made]) -> Result<[f64; LEVELS], FitError> {
+    let mut missed = Level::ALL.map(|_| Vec::new());
+    for fold in left_out(people, made) {
+        let readable = like(&fold.people, &fold.made).len() >= LEAST;
+        if !fitted(fold.family) || !readable {
+            continue;
+        }
+        let model = joint(&fold.people, &fold.made)?;
+        for level in Level::ALL {
+            let own: Vec<f64> = fold
+                .out
+                .iter()
+                .filter_map(|m| excess(&model, m, level))
+                .collect();
+            let each = 1.0 / own.len() as f64;
+            missed[level as usize].extend(own.into_iter().map(|x| (x, each)));
+        }
+    }
+    Ok(missed.map(nine_in_ten))
+}
+
+/// The variance that would put a body's true level at the end of its interval, less the one that it has.
+fn excess(model: &LevelModel, body: &Made, level: Level) -> Option<f64> {
+    let truth = body.levels[level as usize].filter(|_| body.grown)?;
+    let found = model.estimate(&body.readings, 1.0, level)?;
+    let off = (found.height_mm - truth) / NINE_IN_TEN;
+    Some(off * off - found.sigma_mm * found.sigma_mm)
+}
+
+/// The least value, nought or above, that nine tenths of all weight are not above.
+fn nine_in_ten(mut all: Vec<(f64, f64)>) -> f64 {
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let total: f64 = all.iter().map(|x| x.1).sum();
+    let mut below = 0.0;
+    let at = all.iter().find(|x| {
+        below += x.1;
+        below >= 0.9 * total
+    });
+    at.map_or(0.0, |x| x.0.max(0.0))
 }

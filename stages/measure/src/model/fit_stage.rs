@@ -44,7 +44,7 @@ const MADE: &str = "made-bodies.csv";
 
 impl Stage for FitLevels {
     const NAME: &'static str = "measure.fit_levels";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, with its errors on those left out.";
     type Params = ();
     type Input = FitInput;

@@ -1,5 +1,6 @@
 //! What a fit does on bodies that it has not seen: each family left out in turn, with a tenth of the rest.
 
+use super::families::{LeftOut, left_out};
 use super::file::LevelModel;
 use super::fit::fit;
 use super::fit_error::FitError;
@@ -117,32 +118,20 @@ pub(crate) fn tenth(row: usize) -> bool {
 /// Fits without each family in turn and tells it. A family that was driven to single people is estimated by
 /// a fit without them, too.
 pub(crate) fn held_out(people: &[Person], made: &[Made]) -> Result<Vec<HeldOut>, FitError> {
-    // What repeats a body is no family of its own.
-    let first = made.iter().filter(|m| m.repeats.is_none());
-    let mut families: Vec<&str> = first.map(|m| m.family.as_str()).collect();
-    families.sort_unstable();
-    families.dedup();
+    let (people, made): (Vec<_>, Vec<_>) = (people.iter().collect(), made.iter().collect());
     let mut found = Vec::new();
-    for family in families {
-        let (out, rest): (Vec<_>, Vec<_>) = made
-            .iter()
-            .enumerate()
-            .partition(|(_, m)| m.family == family);
-        let kept = rest.iter().filter(|(i, _)| !tenth(*i)).map(|(_, m)| *m);
-        let persons: Vec<usize> = out.iter().filter_map(|(_, m)| m.person).collect();
-        let others = people
-            .iter()
-            .filter(|p| !tenth(p.row) && !persons.contains(&p.row));
-        let model = fit(
-            &others.collect::<Vec<_>>(),
-            &kept.collect::<Vec<_>>(),
-            Vec::new(),
-        )?;
+    for LeftOut {
+        family,
+        out,
+        people,
+        made,
+    } in left_out(&people, &made)
+    {
+        let others: Vec<_> = people.into_iter().filter(|p| !tenth(p.row)).collect();
+        let kept: Vec<_> = made.into_iter().filter(|m| !tenth(m.row)).collect();
+        let model = fit(&others, &kept, Vec::new())?;
         for level in Level::ALL {
-            let all: Vec<Miss> = out
-                .iter()
-                .filter_map(|(_, m)| one(&model, m, level))
-                .collect();
+            let all: Vec<Miss> = out.iter().filter_map(|m| one(&model, m, level)).collect();
             if !all.is_empty() {
                 found.push(summary(family, level.name(), &all));
             }
@@ -160,6 +149,7 @@ fn one(model: &LevelModel, body: &Made, level: Level) -> Option<Miss> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::fit::joint;
     use super::super::line_up::{like, line_up, picked_bias};
     use super::super::samples::{made as read_made, people as read_people};
     use super::super::table::Table;
@@ -186,7 +176,7 @@ mod tests {
         let (fitted, others): (Vec<&Person>, Vec<&Person>) =
             people.iter().partition(|p| p.row % 2 == 0);
         let made: Vec<&Made> = made.iter().collect();
-        let model = fit(&fitted, &made, Vec::new()).unwrap();
+        let model = joint(&fitted, &made).unwrap();
         let grown = like(&fitted, &made);
         let lined_up = line_up(&grown, &picked_bias(&fitted, &grown).unwrap()).unwrap();
         let (scatter, mut state) = (lined_up.scatter(), 7);
@@ -234,7 +224,7 @@ mod tests {
         let rest_of_people = people
             .iter()
             .filter(|p| !out.iter().any(|m| m.person == Some(p.row)));
-        let model = fit(&rest_of_people.collect::<Vec<_>>(), &rest, Vec::new()).unwrap();
+        let model = joint(&rest_of_people.collect::<Vec<_>>(), &rest).unwrap();
         let of = |freedom: f64, bad: f64| {
             let one = |m: &&Made| {
                 let chest = m.levels[Level::Chest as usize]?;

@@ -4,6 +4,7 @@
 pub(crate) mod crotch;
 pub(crate) mod cut;
 pub(crate) mod error;
+pub(crate) mod families;
 pub(crate) mod file;
 pub(crate) mod fit;
 pub(crate) mod fit_error;

@@ -80,6 +80,8 @@ pub(crate) fn people(table: &Table) -> Result<Vec<Person>, TableError> {
 /// One made body: what our program reads on its surface, and what is true of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Made {
+    /// Row in the table, 0 for the first.
+    pub row: usize,
     /// Its own name in the table.
     pub id: String,
     /// The family that it is of.
@@ -155,6 +157,7 @@ pub(crate) fn made(table: &Table) -> Result<Vec<Made>, TableError> {
     let one = |i: usize| {
         let read = Reading::ALL.into_iter().zip(&readings);
         Made {
+            row: i,
             id: id[i].to_owned(),
             repeats: Some(repeats[i])
                 .filter(|r| !r.is_empty())
