@@ -24,7 +24,7 @@ pub(crate) const ONE: f64 = 0.385;
 /// The thigh is looked for above this share of the crotch's height.
 const THIGH: f64 = 0.8;
 /// So far below where the legs join, as a share of stature, the fold between them is no part of a thigh.
-const BELOW: f64 = 0.012;
+const BELOW: f64 = 0.0145;
 /// An upper arm shows at least so much of itself above the elbow, as a share of stature.
 const CLEAR: f64 = 0.025;
 /// A girth that grows by no more than this up to the knee has stopped growing; one that falls by half as much has narrowed.
@@ -126,9 +126,12 @@ pub(crate) fn thigh(
     let across = Across::new(limbs, leg, down, body.stature);
     let (knee, end) = (leg.middle.s, leg.clear_to());
     let low = knee + 0.45 * (leg.crotch - knee);
-    let step = 0.0025 * body.stature;
-    // Upward, as long as the ring is one leg's: what takes in the other one jumps.
+    // What counts as one leg's ends between two steps, and the fullest place may be right below it: the last step is halved until
+    // neither hangs on where the first one was.
+    let coarse = 0.0025 * body.stature;
+    let mut step = coarse;
     let mut found: Vec<(Plane, f64)> = Vec::new();
+    let mut ways: Vec<f64> = Vec::new();
     // Beside a web between the thighs a tape would go around it: below it only.
     let mut web = f64::MAX;
     let mut s = low;
@@ -136,30 +139,44 @@ pub(crate) fn thigh(
         let Some((plane, ring)) = across.at(s) else {
             break;
         };
-        let before = found.len().checked_sub(4).map(|i| found[i].1);
-        if before.is_some_and(|t| ring.tape > JUMP * t) {
-            if holds_other(limbs, body, side, &ring) == Some(false) {
-                return Err(Refusal::Hand);
+        // Upward, as long as the ring is one leg's: what takes in the other one jumps.
+        let lower = ways.iter().rposition(|way| s - way > 3.5 * coarse);
+        if lower.is_some_and(|i| ring.tape > JUMP * found[i].1) {
+            if step < 0.1 * coarse {
+                match holds_other(limbs, body, side, &ring) {
+                    Some(false) => return Err(Refusal::Hand),
+                    _ => break,
+                }
             }
-            break;
+            step /= 2.0;
+            s -= step;
+            continue;
         }
         if upright && webbed(body, &ring, side) {
             web = web.min(plane.point_mm[2]);
         }
         found.push((plane, ring.tape));
+        ways.push(s);
         s += step;
     }
     let top = found.last().ok_or(Refusal::NoSection)?.0.point_mm[2] - body.ground;
     if top < ONE * body.stature && leg.bent == 0.0 {
         return Err(Refusal::ThighsOne);
     }
+    let highest = ways.last().ok_or(Refusal::NoSection)? - BELOW * body.stature;
+    if let Some((plane, ring)) = across.at(highest) {
+        found.push((plane, ring.tape));
+        ways.push(highest);
+    }
+    let among = |f: &&(Plane, f64), way: f64| {
+        let z = f.0.point_mm[2];
+        way <= highest && z >= body.ground + THIGH * top && z < web - CLEAR_OF_WEB * body.stature
+    };
     let fullest = found
         .iter()
-        .filter(|f| {
-            let z = f.0.point_mm[2];
-            (THIGH * top..top - BELOW * body.stature).contains(&(z - body.ground))
-                && z < web - CLEAR_OF_WEB * body.stature
-        })
+        .zip(&ways)
+        .filter(|(f, way)| among(f, **way))
+        .map(|(f, _)| f)
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .ok_or(Refusal::NoSection)?;
     // The lower the legs part, or a web between them begins, the farther above may be what they hide.
