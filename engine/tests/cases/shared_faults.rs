@@ -2,7 +2,7 @@
 
 use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, NONE, Place, chain, graph};
-use crate::shared::{begun, caches, shared, texts};
+use crate::shared::{begun, caches, shared, shelf, texts};
 use engine::store::remote::{Manner, Objects, Sharing};
 use engine::store::{Store, retention};
 use std::time::{Duration, Instant};
@@ -19,6 +19,43 @@ fn whole(place: &Place, bucket: &Bucket, n: i64) {
     let (made, _, printed) = shared(place, &cache, bucket, n);
     assert_eq!((made, printed), (vec![], vec![]));
     assert_eq!(retention::verify(&Store::open(&cache).unwrap()).unwrap(), 0);
+}
+
+#[test]
+fn eight_workers_on_one_key_and_a_tenth_of_all_answers_wrong_come_to_the_same() {
+    for text in texts() {
+        let place = Place::new(&text);
+        let bucket = Bucket::new();
+        bucket.fail(Faults {
+            errors: 0.05,
+            lost: 0.05,
+            conflicts: 0.05,
+            ..Faults::default()
+        });
+        let caches: [_; 8] = caches(&place);
+        std::thread::scope(|scope| {
+            for cache in &caches {
+                scope.spawn(|| {
+                    let (_, left, printed) = shared(&place, cache, &bucket, 1);
+                    assert_eq!(left.waiting, 0, "{left:?} {printed:?}");
+                    let odd = |line: &&String| {
+                        line.contains("not deterministic") || line.contains("believed")
+                    };
+                    assert_eq!(printed.iter().find(odd), None);
+                });
+            }
+        });
+        assert_eq!(bucket.names("ac").len(), 4);
+        whole(&place, &bucket, 1);
+        let alone = place.path().join("alone");
+        place.run_in(&chain(1), &alone, 2);
+        let alone = shelf(&alone, "cas");
+        for cache in &caches {
+            for blob in shelf(cache, "cas") {
+                assert!(alone.contains(&blob), "equal to a run alone");
+            }
+        }
+    }
 }
 
 #[test]
