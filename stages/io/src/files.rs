@@ -20,9 +20,9 @@ use crate::three_mf::mesh_to_3mf;
 use crate::views::mesh_to_views;
 use crate::write_error::WriteError;
 use shape::{
-    Aligned, BodyFeatures, Cameras, Cylinder, Document, Evidence, Girths, Keypoints, Labels,
-    Landmarks, LostParts, Masks, Mesh, People, Photos, Scene, Tags, Textured, Tracks, Warps,
-    bounding_cylinder, cameras_to_svg, gray_to_png, mesh_to_ply, rgb_to_jpeg,
+    Aligned, BodyFeatures, Cameras, Document, Evidence, Girths, Keypoints, Labels, Landmarks,
+    LostParts, Masks, Mesh, People, Photos, Scene, Tags, Textured, Tracks, Warps, cameras_to_svg,
+    gray_to_png, mesh_to_ply, rgb_to_jpeg,
 };
 use stage::AnyArtifact;
 use std::path::Path;
@@ -52,17 +52,6 @@ pub fn document_extension(artifact: &AnyArtifact) -> Option<&'static str> {
         "text/plain" => Some("txt"),
         _ => None,
     }
-}
-
-/// The cameras as a drawing, with the cylinder that all of them have in view.
-fn drawn(cameras: &Cameras) -> Vec<u8> {
-    let none = Cylinder {
-        radius: 0.0,
-        bottom: 0.0,
-        top: 0.0,
-    };
-    let seen = bounding_cylinder(cameras).unwrap_or(none);
-    cameras_to_svg(cameras, &seen).into_bytes()
 }
 
 /// An artifact in one of its kind's formats; photos beside it give files their names.
@@ -102,7 +91,7 @@ pub fn files(
         ("textured", "glb") => one(textured_to_glb(&*take!(Textured))),
         ("textured", "obj") => Ok(textured_to_obj(&*take!(Textured))),
         ("cameras", "json") => one(cameras_to_json(&*take!(Cameras)).into_bytes()),
-        ("cameras", "svg") => one(drawn(&*take!(Cameras))),
+        ("cameras", "svg") => one(cameras_to_svg(&*take!(Cameras)).into_bytes()),
         ("keypoints", _) => Ok(keypoints_to_png(&*take!(Keypoints), names)?),
         ("tracks", "json") => one(tracks_to_json(&*take!(Tracks)).into_bytes()),
         ("tracks", _) => Ok(tracks_to_png(&*take!(Tracks), names)?),

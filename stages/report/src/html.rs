@@ -101,7 +101,7 @@ pub struct Html;
 
 impl Stage for Html {
     const NAME: &'static str = "report.html";
-    const VERSION: u32 = 18;
+    const VERSION: u32 = 19;
     const ABOUT: &'static str = "Makes one self-contained page: 3D view, girths, photos, cameras.";
     type Params = HtmlParams;
     type Input = HtmlInput;
@@ -110,9 +110,11 @@ impl Stage for Html {
 
     /// A photo a thread.
     fn memory(_: &HtmlParams, input: &HtmlInput) -> u64 {
-        let photos = input.photos.iter().flat_map(|photos| &photos.photos);
-        let pixels = photos.map(|photo| u64::from(photo.width) * u64::from(photo.height));
-        pixels.max().unwrap_or(0) * PHOTO_PIXEL * rayon::current_num_threads() as u64
+        let most = input
+            .photos
+            .as_ref()
+            .map_or(0, |photos| photos.most_pixels());
+        most * PHOTO_PIXEL * rayon::current_num_threads() as u64
     }
 
     fn run(p: &HtmlParams, input: HtmlInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {

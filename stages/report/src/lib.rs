@@ -18,7 +18,6 @@ mod packing;
 mod page;
 mod paint;
 mod profile;
-mod ring;
 mod scene;
 mod sides;
 mod tables;

@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::lengths::Lengths;
-use crate::{derived, profile, ring, scene, sides, tables};
+use crate::{derived, profile, scene, sides, tables};
 use rayon::prelude::*;
 use shape::{
     Cameras, Girths, Landmarks, Length, Mesh, Photos, Scale, Textured, Unit, cameras_to_svg,
@@ -191,10 +191,7 @@ fn sections((photos, cameras): (&Photos, &Cameras), content: &Content<'_>) -> St
                 "scale",
                 tables::scale(cameras, &photos.rig, content.lengths),
             ),
-            (
-                "ring",
-                cameras_to_svg(cameras, &ring::bounding_cylinder(cameras)),
-            ),
+            ("ring", cameras_to_svg(cameras)),
             (
                 "photos",
                 format!("{note}<div class=\"photos\">{}</div>", content.figures),

@@ -135,6 +135,12 @@ impl Photos {
     pub fn get(&self, id: PhotoId) -> Option<&Photo> {
         self.photos.get(id.0 as usize)
     }
+
+    /// The pixels of the largest photo; 0 without any.
+    pub fn most_pixels(&self) -> u64 {
+        let pixels = |photo: &Photo| u64::from(photo.width) * u64::from(photo.height);
+        self.photos.iter().map(pixels).max().unwrap_or(0)
+    }
 }
 
 #[derive(Serialize, Deserialize)]

@@ -1,11 +1,12 @@
 //! The cameras around the subject, from above and from the side (paper, Fig. 2 a and b).
 
-use crate::{Camera, Cameras, Cylinder};
+use crate::{Camera, Cameras, bounding_cylinder};
 use nalgebra::{Point2, Point3};
 use std::fmt::Write;
 
-/// An SVG of the ring: every camera with its field of view, the disk, and a cylinder about the axis.
-pub fn cameras_to_svg(cameras: &Cameras, cylinder: &Cylinder) -> String {
+/// An SVG of the ring: every camera with its field of view, the disk, and the cylinder about the axis that all of them have in view, if
+/// there is one.
+pub fn cameras_to_svg(cameras: &Cameras) -> String {
     let centres: Vec<(String, Point3<f64>)> = cameras
         .views
         .iter()
@@ -16,7 +17,8 @@ pub fn cameras_to_svg(cameras: &Cameras, cylinder: &Cylinder) -> String {
         .map(|(_, c)| libm::hypot(c.x, c.y).max(c.z.abs()))
         .fold(1.0, f64::max)
         * 1.12;
-    let (radius, low, high) = (cylinder.radius, cylinder.bottom, cylinder.top);
+    let seen = bounding_cylinder(cameras).map(|c| [c.radius, c.bottom, c.top]);
+    let [radius, low, high] = seen.unwrap_or_default();
     let disk = cameras.disk_radius_mm.unwrap_or(reach * 0.1);
     let mut svg = String::from(
         "<svg class=\"ring\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 840 420\" role=\"img\" \

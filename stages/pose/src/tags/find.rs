@@ -62,9 +62,7 @@ impl Stage for FindTags {
 
     /// A photo a thread: its colours, its brightness, and what the detector makes of it.
     fn memory(_: &TagsParams, input: &TagsInput) -> u64 {
-        let pixels = |photo: &Photo| u64::from(photo.width) * u64::from(photo.height);
-        let most = input.photos.iter().map(|(_, photo)| pixels(photo)).max();
-        most.unwrap_or(0) * TAGS_PIXEL * rayon::current_num_threads() as u64
+        input.photos.most_pixels() * TAGS_PIXEL * rayon::current_num_threads() as u64
     }
 
     fn run(p: &TagsParams, input: TagsInput, ctx: &Ctx<'_>) -> Result<Tags, Stop> {
