@@ -1,6 +1,6 @@
 //! What small pictures of a turn show at once: what does not move, what turns, whether photos follow each other.
 
-use shape::{Gray, Rgb, upper_median};
+use shape::{Gray, Image, Rgb, largest_part, upper_median};
 
 /// Small pictures are about so many pixels across (structural: size of a small picture). \[px\]
 const ACROSS: usize = 96;
@@ -152,14 +152,20 @@ pub fn together(all: &[Glance]) -> Together {
     }
 }
 
-/// Which sides of the picture are reached by what moves.
+/// Which sides of the picture are reached by what moves: by its largest part, for noise and a pattern that a stabiliser shifts move
+/// anywhere.
 fn reached(still: &[bool], width: usize) -> [bool; 4] {
     let height = still.len() / width.max(1);
     if width < 4 || height < 4 {
         return [false; 4];
     }
+    let moving = largest_part(&Image {
+        width,
+        height,
+        data: still.iter().map(|still| !still).collect(),
+    });
     let moves = |places: Vec<usize>| {
-        let moving = places.iter().filter(|i| !still[**i]).count();
+        let moving = places.iter().filter(|i| moving.data[**i]).count();
         moving as f64 > REACHED * places.len() as f64
     };
     let row = |y: usize| (0..width).map(|x| y * width + x).collect::<Vec<_>>();

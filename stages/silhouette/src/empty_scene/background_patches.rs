@@ -5,10 +5,9 @@
 //! does the crown of a head, but that is in its place on all photos.
 
 use crate::empty_scene::doubtful_patches::Vouched;
-use crate::label::parts::parts;
 use crate::scene::still_and_disk::Shot;
 use rayon::prelude::*;
-use shape::{Image, Rgb};
+use shape::{Image, Rgb, parts};
 
 /// Photos that were taken within so many degrees are asked.
 const NEIGHBOUR_DEG: f64 = 45.0;

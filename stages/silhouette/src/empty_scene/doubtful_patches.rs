@@ -3,14 +3,13 @@
 //! Behind some pixels no photo shows the background. What is there has the body's colours, as the body shows
 //! them before a background that is known; where it has not, it may be a bit of that.
 
-use crate::label::parts::parts;
 use crate::likelihood::body::{STRANGE, body_cost};
 use crate::likelihood::disk_colors::mixture;
 use crate::likelihood::gmm::Gmm;
 use crate::scene::backdrop::{SHY, thinned};
 use crate::scene::still_and_disk::Shot;
 use rayon::prelude::*;
-use shape::Image;
+use shape::{Image, parts};
 
 /// Share of each mask that its largest patch takes which no photo shows without the body, and whose
 /// colours the body has nowhere else. \[%\] `radius` is the disk's, 0 without one: its top is left out.

@@ -9,7 +9,6 @@ use crate::empty_scene::scene_labelling::chosen;
 use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
-use crate::label::parts::parts;
 use crate::raster::as_mask;
 
 use crate::likelihood::body::{EVIDENT, STRANGE, body_cost, evident as shown};
@@ -23,7 +22,7 @@ use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
 use crate::scene::backdrop::{Backdrop, SHY, still, thinned};
 use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
-use shape::{Cameras, Image, Mask, PhotoId, Rgb};
+use shape::{Cameras, Image, Mask, PhotoId, Rgb, parts};
 
 /// The cuts of reduced photos, with what they follow from that a photo alone cannot tell.
 pub struct Cuts {

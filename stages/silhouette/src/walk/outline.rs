@@ -1,14 +1,13 @@
 //! The outline on one photo: a least cut by colours about what the cells cover.
 
 use crate::cut::least_cut::{Known, Window, cut_by_odds};
-use crate::label::parts::parts;
 
 use crate::cells::Block;
 use crate::raster::{as_mask, raster};
 use crate::scene::still_and_disk::Shot;
 use crate::walk::colors::Colors;
 use crate::walk::features::Spot;
-use shape::{Image, signed_distance};
+use shape::{Image, parts, signed_distance};
 
 /// What holds an outline to the cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
