@@ -17,8 +17,8 @@
 //! runs the six in one, for pipelines that name it. [`Import`] takes masks of somebody else, [`Walk`] (`walk/`) finds
 //! those of a walk, which has no empty scene.
 //!
-//! Without a plate there is no seam between scene and labels: rounds alternate between what the photos show where
-//! nobody covers it, and outlines on which they agree. So `EmptyScene` makes both, and `Label` takes the bodies over.
+//! Without a plate the scene is known where no body is, and the body where the scene is known. So `EmptyScene` makes both,
+//! and `Label` takes the bodies over.
 //! Noise is measured against what a photo should show, so it belongs to `Likelihood` (reduced) and `Border` (full size).
 //!
 //! # The energy
@@ -42,15 +42,15 @@
 //! | | … where nobody saw the scene: colours of the scene beside, of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
-//! | both | … and the log-odds of a learned sense of a person, on the side that they speak against; next to what evidently is body they count nothing in a gap that the network cannot see | `likelihood/person.rs` |
+//! | both | … and the log-odds of a learned sense of a person, on the side that they speak against | `likelihood/person.rs` |
 //! | both | … and the log-odds of all other photos: how deep a pixel's ray passes into the hull of their bodies, or how far beside it, and whether the photo from the other side shows background there, worth what the photos of the capture show of such pixels; with odds, the background costs no more than what no scene foresees, by how often the photo shows such where all other photos see the background | `label/between_photos.rs` |
 //! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
 //! | parts | the body is the largest part; until all other photos are weighed in, of its holes stay those that the scene explains | `label/parts.rs` |
 //!
 //! Beside the energy, each with its reason in its file: patches that stay in place as the body turns are background
-//! (`empty_scene/background_patches.rs`); narrow ends of gaps are followed at full size, where a photo outweighs the rest (`border/narrow_gaps.rs`). The scene of a
-//! turn is a labelling of its own: of all levels that recur at a pixel (`empty_scene/recurring_levels.rs`) those that go over
-//! smoothly into each other (`empty_scene/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).
+//! (`empty_scene/background_patches.rs`); narrow ends of gaps are followed at full size, where a photo outweighs the rest (`border/narrow_gaps.rs`).
+//! Without a plate the scene is what most photos agree on to the level (`empty_scene/recurring.rs`), and where two photos
+//! agree on a colour that the body has not.
 //!
 //! # Another algorithm
 //!
@@ -85,14 +85,13 @@ pub use border::stage::{Border, BorderInput, BorderParams};
 pub use cut::least_cut::Known;
 pub use cut::maxflow::{Grid, STEPS};
 pub use empty_scene::recurring::recurring;
-pub use empty_scene::rounds::{Cuts, without_plate};
 pub use empty_scene::stage::{EmptyScene, EmptySceneInput, EmptySceneParams};
+pub use empty_scene::without_plate::{Cuts, without_plate};
 pub use grabcut::{GrabCut, GrabCutInput};
 pub use import::{Body, Import, ImportError, ImportInput, ImportParams};
 pub use label::color_cut::{Settings, coarse};
 pub use label::stage::{Label, LabelInput, LabelParams};
 pub use likelihood::background::Noise;
-pub use likelihood::person::Sense;
 pub use likelihood::prepared::{Prepared, prepare};
 pub use likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
 pub use params::{CutError, CutParams, GrabCutParams};

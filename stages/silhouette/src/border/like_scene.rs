@@ -1,7 +1,6 @@
 //! Parts of the body that look like the empty scene along the outline: there no colour shows where the body ends.
 
 use crate::likelihood::body::STRANGE;
-use crate::likelihood::person::reach;
 use crate::raster::as_mask;
 use rayon::prelude::*;
 use shape::{
@@ -41,6 +40,11 @@ pub(crate) fn like_scene(
         Some(message!(LIKE_SCENE, part = part.word(), names = names))
     };
     BodyPart::ALL.into_iter().filter_map(warning).collect()
+}
+
+/// Within so many reduced pixels the network tells nothing apart: two of its own. \[px\]
+fn reach(found: &Found, factor: usize) -> usize {
+    (2.0 * found.pixel_px() / factor as f32).ceil() as usize
 }
 
 /// By part, how deep the edge of a mask looks like the scene on the mean, rather than like a body of unknown colours. The

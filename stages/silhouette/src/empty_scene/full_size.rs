@@ -1,4 +1,4 @@
-//! The photos of a turn where they are aligned: reduced, for the rounds; then at full size, for the scene's colours.
+//! The photos of a turn where they are aligned: reduced, to be cut; then at full size, for the scene's colours.
 
 use crate::align::reduced::factor;
 use crate::empty_scene::means::Means;

@@ -12,9 +12,9 @@ use rayon::prelude::*;
 use shape::{Image, Rgb};
 
 /// Half the side of a patch. \[px\]
-pub(crate) const REACH: usize = 2;
+const REACH: usize = 2;
 /// Patches may differ by so much more than those of most pixels do.
-pub(crate) const OUTLIER: f32 = 3.5;
+const OUTLIER: f32 = 3.5;
 /// Least and greatest squared difference that counts as noise before [`OUTLIER`]. \[levels²\]
 const NOISE: (f32, f32) = (0.4, 12.0);
 /// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel.
@@ -29,20 +29,8 @@ const ALIKE: f32 = 0.45;
 /// Photos that each is compared with, at most: more of them add nothing.
 const PARTNERS: usize = 9;
 
-/// What recurs at a pixel, and which photos agree on it.
-type Common = ([u8; 3], Vec<usize>);
-
-/// What most photos agree on.
-#[derive(Debug, Clone)]
-pub struct Recurring {
-    /// What they show, where any agree.
-    pub backdrop: Backdrop,
-    /// Of each photo: where it agrees.
-    pub agrees: Vec<Image<bool>>,
-}
-
 /// Mean squared difference of the patches of two photos around each pixel, per channel. \[levels²\]
-pub(crate) fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
+fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
     let (w, h) = (a.width, a.height);
     let squared = |i: usize| -> u32 {
         let off = |c: usize| u32::from(a.data[i][c].abs_diff(b.data[i][c]));
@@ -57,7 +45,7 @@ pub(crate) fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
 }
 
 /// Squared contrast within the patch around each pixel, per channel. \[levels²\]
-pub(crate) fn contrast(photo: &Rgb) -> Vec<f32> {
+fn contrast(photo: &Rgb) -> Vec<f32> {
     let (w, h) = (photo.width, photo.height);
     let steep = |i: usize| -> u32 {
         let (x, y) = (i % w, i / w);
@@ -76,7 +64,7 @@ pub(crate) fn contrast(photo: &Rgb) -> Vec<f32> {
 }
 
 /// Pairs of photos that are compared.
-pub(crate) fn pairs(count: usize) -> Vec<(usize, usize)> {
+fn pairs(count: usize) -> Vec<(usize, usize)> {
     let half = count / 2;
     let mut steps: Vec<usize> = (1..=PARTNERS.min(half))
         .map(|i| (i * half).div_ceil(PARTNERS.min(half)))
@@ -92,7 +80,7 @@ pub(crate) fn pairs(count: usize) -> Vec<(usize, usize)> {
 }
 
 /// How far two photos differ where they show the same.
-pub(crate) struct Unlike {
+struct Unlike {
     /// Of most pixels. \[levels²\]
     noise: f32,
     /// Share of a patch's own contrast.
@@ -101,11 +89,7 @@ pub(crate) struct Unlike {
 
 impl Unlike {
     /// Measured: less than half of what is open to both shows something else in one of them.
-    pub(crate) fn of(
-        far: &[f32],
-        open: &dyn Fn(usize) -> bool,
-        steep: &dyn Fn(usize) -> f32,
-    ) -> Self {
+    fn of(far: &[f32], open: &dyn Fn(usize) -> bool, steep: &dyn Fn(usize) -> f32) -> Self {
         let some = || (0..far.len()).step_by(3).filter(|i| open(*i));
         let middle = |mut values: Vec<f32>| {
             values.sort_by(f32::total_cmp);
@@ -124,7 +108,7 @@ impl Unlike {
     }
 
     /// The most by which patches of such a contrast differ that show the same. \[levels²\]
-    pub(crate) fn most(&self, steep: f32) -> f32 {
+    fn most(&self, steep: f32) -> f32 {
         OUTLIER * self.noise + self.tremble * steep
     }
 }
@@ -132,28 +116,22 @@ impl Unlike {
 /// What photos that share it pixel for pixel agree on. `hidden` names the photos (first) and pixels
 /// (second) that cannot show it; `least` is the agreement with other photos, each of which gives 1 at most,
 /// that makes a pixel seen.
-pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> Recurring {
+pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> Backdrop {
     let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
     let pairwise = Pairwise::of(photos, hidden);
-    let rows: Vec<Vec<Option<Common>>> = (0..h)
+    let rows: Vec<Vec<Option<[u8; 3]>>> = (0..h)
         .into_par_iter()
         .map(|y| {
             let row = y * w..(y + 1) * w;
             row.map(|i| pairwise.common(photos, i, least)).collect()
         })
         .collect();
-    let image = |data| raster(w, h, data);
-    let mut agrees = vec![image(vec![false; w * h]); photos.len()];
-    let mut seen = image(vec![false; w * h]);
-    let mut shown = Rgb::filled(w, h, [0; 3]);
-    for (i, common) in rows.into_iter().flatten().enumerate() {
-        if let Some((color, agree)) = common {
-            (shown.data[i], seen.data[i]) = (color, true);
-            agree.into_iter().for_each(|k| agrees[k].data[i] = true);
-        }
+    let colors = rows.concat();
+    let shown = colors.iter().map(|color| color.unwrap_or([0; 3]));
+    Backdrop {
+        image: raster(w, h, shown.collect()),
+        seen: raster(w, h, colors.iter().map(Option::is_some).collect()),
     }
-    let backdrop = Backdrop { image: shown, seen };
-    Recurring { backdrop, agrees }
 }
 
 /// Photos compared with each other.
@@ -190,8 +168,8 @@ impl Pairwise {
         }
     }
 
-    /// What most photos show at a pixel, and which do; `None` where too few agree.
-    fn common(&self, photos: &[Rgb], i: usize, least: f32) -> Option<Common> {
+    /// What most photos show at a pixel; `None` where too few agree.
+    fn common(&self, photos: &[Rgb], i: usize, least: f32) -> Option<[u8; 3]> {
         let agreement = || {
             self.pairs
                 .iter()
@@ -218,6 +196,6 @@ impl Pairwise {
         for k in &agree {
             (0..3).for_each(|c| sum[c] += u32::from(photos[*k].data[i][c]));
         }
-        Some((sum.map(|s| ((s + count / 2) / count) as u8), agree))
+        Some(sum.map(|s| ((s + count / 2) / count) as u8))
     }
 }

@@ -3,9 +3,9 @@
 use crate::align::rectangle::Rectangle;
 use crate::empty_scene::doubtful_patches::doubtful;
 use crate::empty_scene::full_size::{Views, at_full_size, shots};
-use crate::empty_scene::rounds::{Cuts, standing, without_plate};
+use crate::empty_scene::without_plate::{Cuts, standing, without_plate};
 use crate::label::color_cut::Settings;
-use crate::likelihood::person::Sense;
+use crate::likelihood::person::sense;
 use crate::params::{CutError, CutParams};
 use crate::scene::still_and_disk::Shot;
 use shape::{Aligned, Cameras, FoundBody, Image, InPhoto, People, Photo, PhotoId, Photos, Scene};
@@ -55,8 +55,8 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 6;
-    const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: in rounds with the body's outlines on which the photos agree.";
+    const VERSION: u32 = 7;
+    const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: what most of them share, and the body's outlines on which they agree.";
     type Params = EmptySceneParams;
     type Input = EmptySceneInput;
     type Output = Scene;
@@ -170,10 +170,10 @@ fn found(
 }
 
 /// Log-odds of the body by a person's sense on each photo; nothing where the turn shows no person. \[nats\]
-fn people_on(shots: &[Shot], people: Option<&People>, factor: usize) -> Vec<Sense> {
-    let on = |s: &Shot| Sense::of(people, s.id, [s.small.width, s.small.height], factor);
-    let all: Vec<Sense> = shots.iter().map(on).collect();
-    match all.iter().all(|s| s.log_odds.is_empty()) {
+fn people_on(shots: &[Shot], people: Option<&People>, factor: usize) -> Vec<Vec<f32>> {
+    let on = |s: &Shot| sense(people, s.id, [s.small.width, s.small.height], factor);
+    let all: Vec<Vec<f32>> = shots.iter().map(on).collect();
+    match all.iter().all(Vec::is_empty) {
         true => vec![],
         false => all,
     }

@@ -1,8 +1,7 @@
 //! A learned sense of a person as evidence: how likely each pixel is body, by a network that saw other people.
 
-use crate::likelihood::neighbourhoods::Sums;
 use nalgebra::Point2;
-use shape::{Found, Image, People, PhotoId};
+use shape::{Found, People, PhotoId};
 
 /// Log-odds of the body by those of the network: they are too sure, and the outline is wide. Fitted by
 /// `models/person/calibrate.py` (logistic; Platt 1999). \[nats, and nats a nat\]
@@ -11,53 +10,21 @@ const CALIBRATED: [f32; 2] = [-1.31, 0.76];
 /// Log-odds that are sure: 19 to 1 (derived: ln 19).
 pub(crate) const SURE: f32 = 2.94;
 
-/// A person's sense of one reduced photo.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Sense {
-    /// Log-odds that each pixel is body, row by row; empty where the turn shows no person. \[nats\]
-    pub log_odds: Vec<f32>,
-    /// Within so many pixels the network tells nothing apart: two of its own. \[px\]
-    pub reach: usize,
-}
-
-impl Sense {
-    /// Of a photo of this size, of which so many pixels along a side became one.
-    pub(crate) fn of(
-        people: Option<&People>,
-        id: PhotoId,
-        [width, height]: [usize; 2],
-        factor: usize,
-    ) -> Sense {
-        let Some(found) = people.and_then(|people| people.subject(id)) else {
-            return Sense::default();
-        };
-        let middle = |i: usize| (i * factor) as f64 + (factor as f64 - 1.0) / 2.0;
-        let at = |i: usize| Point2::new(middle(i % width), middle(i / width));
-        let all = (0..width * height).map(|i| calibrated(found, at(i)));
-        Sense {
-            log_odds: all.collect(),
-            reach: reach(found, factor),
-        }
-    }
-
-    /// What is left of it before what evidently is body: a network that sees a gap between two legs as one with them is
-    /// right as far as it can see. What speaks for the body counts the less, the more of the pixels within reach
-    /// evidently show it, and nothing where half of them do.
-    pub(crate) fn beyond(&self, evident: &Image<bool>) -> Vec<f32> {
-        let shows = |i: usize| u32::from(evident.data[i]);
-        let sums = Sums::of(evident.width, evident.height, shows);
-        let left_of = |(i, odds): (usize, &f32)| {
-            let (shown, count) = sums.around(i, self.reach);
-            let share = shown as f32 / count as f32;
-            odds.min(odds.max(0.0) * (2.0 * (1.0 - share) - 1.0).max(0.0))
-        };
-        self.log_odds.iter().enumerate().map(left_of).collect()
-    }
-}
-
-/// Within so many reduced pixels the network tells nothing apart: two of its own. \[px\]
-pub(crate) fn reach(found: &Found, factor: usize) -> usize {
-    (2.0 * found.pixel_px() / factor as f32).ceil() as usize
+/// Log-odds that each pixel of a reduced photo of this size is body, row by row, of which so many pixels along a side became
+/// one; empty where the turn shows no person. \[nats\]
+pub(crate) fn sense(
+    people: Option<&People>,
+    id: PhotoId,
+    [width, height]: [usize; 2],
+    factor: usize,
+) -> Vec<f32> {
+    let Some(found) = people.and_then(|people| people.subject(id)) else {
+        return Vec::new();
+    };
+    let middle = |i: usize| (i * factor) as f64 + (factor as f64 - 1.0) / 2.0;
+    let at = |i: usize| Point2::new(middle(i % width), middle(i / width));
+    let all = (0..width * height).map(|i| calibrated(found, at(i)));
+    all.collect()
 }
 
 /// Where the network did not look nothing is known.
@@ -66,7 +33,7 @@ fn calibrated(found: &Found, at: Point2<f64>) -> f32 {
     found.log_odds(at).map_or(0.0, |odds| base + slope * odds)
 }
 
-/// What a pixel costs as background and as body, with a person's sense of it: [log-odds](Sense)
+/// What a pixel costs as background and as body, with a person's [`sense`] of it: log-odds
 /// are added to the side that they speak against. \[nats\]
 pub(crate) fn with_person(background: f64, body: f64, log_odds: f32) -> (f64, f64) {
     let odds = f64::from(log_odds);
@@ -151,36 +118,12 @@ mod tests {
             views: [(PhotoId(0), vec![found(2.0)])].into_iter().collect(),
             person,
         };
-        let on = |people: &People| Sense::of(Some(people), PhotoId(0), [25, 25], 4);
-        assert_eq!(on(&people(false)), Sense::default());
-        assert_eq!(Sense::of(None, PhotoId(0), [25, 25], 4), Sense::default());
-        let Sense {
-            log_odds: odds,
-            reach,
-        } = on(&people(true));
-        assert_eq!(reach, 3, "two pixels of 5, four to one");
+        let on = |people: &People| sense(Some(people), PhotoId(0), [25, 25], 4);
+        assert!(on(&people(false)).is_empty());
+        assert!(sense(None, PhotoId(0), [25, 25], 4).is_empty());
+        let odds = on(&people(true));
         let inside = CALIBRATED[0] + CALIBRATED[1] * 2.0;
         assert!((odds[12 * 25 + 12] - inside).abs() < 1e-6);
         assert_eq!(odds[0], 0.0);
-    }
-
-    #[test]
-    fn a_gap_that_the_network_cannot_see_is_left_to_the_background() {
-        let sense = Sense {
-            log_odds: (0..SIDE * SIDE)
-                .map(|i| if i % SIDE < 50 { 4.0 } else { -5.0 })
-                .collect(),
-            reach: 5,
-        };
-        // Two legs, three pixels apart, and a garment to the right of them.
-        let leg = |x: usize| (5..15).contains(&x) || (18..28).contains(&x);
-        let evident = raster(
-            SIDE,
-            SIDE,
-            (0..SIDE * SIDE).map(|i| leg(i % SIDE)).collect(),
-        );
-        let left = sense.beyond(&evident);
-        let at = |x: usize| left[30 * SIDE + x];
-        assert_eq!((at(16), at(40), at(55)), (0.0, 4.0, -5.0));
     }
 }

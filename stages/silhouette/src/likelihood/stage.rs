@@ -4,10 +4,9 @@ use crate::align::rectangle::Rectangle;
 use crate::align::reduced::factor;
 use crate::cut::least_cut::Known;
 use crate::likelihood::behind::Behind;
-use crate::likelihood::body::evident;
 use crate::likelihood::grain::missed_in_photo;
 use crate::likelihood::mirror::{Weighed, gained, mirroring};
-use crate::likelihood::person::Sense;
+use crate::likelihood::person::sense;
 use crate::likelihood::prepared::{UNSEEN, prepare};
 use crate::params::CutError;
 use crate::scene::backdrop::Backdrop;
@@ -44,7 +43,7 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of the disk, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
@@ -88,10 +87,8 @@ impl Stage for Likelihood {
             };
             let size = [evidence.photo.width, evidence.photo.height];
             let people = input.people.as_deref().filter(|_| !scene.is_unknown());
-            let sense = Sense::of(people, *id, size, evidence.factor as usize);
-            let shown = evident(&evidence.background, &evidence.known, size);
             let evidence = PhotoEvidence {
-                person: sense.beyond(&shown),
+                person: sense(people, *id, size, evidence.factor as usize),
                 ..evidence
             };
             steps.tick()?;

@@ -4,22 +4,19 @@ use crate::align::rectangle::Rectangle;
 use crate::cut::least_cut::Known;
 use crate::empty_scene::background_patches::background_patches;
 use crate::empty_scene::recurring::recurring;
-use crate::empty_scene::recurring_levels::Modes;
-use crate::empty_scene::scene_labelling::chosen;
 use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
 use crate::raster::as_mask;
 
-use crate::likelihood::body::{EVIDENT, STRANGE, body_cost, evident as shown};
+use crate::likelihood::body::{EVIDENT, STRANGE, body_cost};
 use crate::likelihood::colors_beside::Nearby;
 use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grain::missed;
-use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
-use crate::scene::backdrop::{Backdrop, SHY, still, thinned};
+use crate::scene::backdrop::{Backdrop, still};
 use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb, parts};
@@ -32,12 +29,14 @@ pub struct Cuts {
     pub(crate) background_patches: Vec<Vec<usize>>,
 }
 
-/// Rounds of finding masks and the background by turns.
+/// Rounds of finding background patches, each by the masks without those before.
 const ROUNDS: usize = 2;
 
 /// A part of the background that is seen amid the turn must be so large a share of the photo.
 const MIN_ISLAND_SHARE: f64 = 0.004;
-/// Agreement of photos, each of which gives 1 at most, that suffices once masks are known.
+/// Agreement of photos, each of which gives 1 at most, that makes a pixel the background's,
+const MUST_AGREE: f32 = 1.0;
+/// and that suffices where the colour is none of the body's.
 const MIN_AGREEMENT: f32 = 0.3;
 
 /// Share of the pixels that are still around the turn.
@@ -56,11 +55,12 @@ pub fn without_plate(
     settings: &Settings,
     disk_side_mm: f64,
     within: Option<(Rectangle, usize)>,
-    people: &[Sense],
+    people: &[Vec<f32>],
 ) -> Cuts {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
-    let mut backdrop = followed(&smalls, people, settings.gamma as f32);
+    let mut backdrop = recurring(&smalls, None, MUST_AGREE);
+    without_islands(&mut backdrop.seen);
     let turn = Turn {
         shots,
         cameras,
@@ -76,25 +76,9 @@ pub fn without_plate(
         glimpsed(&mut backdrop, &smalls, body);
         without_islands(&mut backdrop.seen);
     }
-    let mut covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
-    let mut cuts: Vec<Option<Image<bool>>> = Vec::new();
-    let mut ready = Vec::new();
-    for round in 0..ROUNDS {
-        if round > 0 {
-            backdrop = recurring(&smalls, Some(&covered), MIN_AGREEMENT).backdrop;
-            without_islands(&mut backdrop.seen);
-        }
-        ready = turn.ready(&backdrop, &covered);
-        cuts = turn.together(&mut ready);
-        covered = cuts
-            .iter()
-            .zip(shots)
-            .map(|(cut, shot)| match cut {
-                Some(sides) => thinned(&sides.map(|b| !b), SHY).map(|b| !b),
-                None => Image::filled(shot.small.width, shot.small.height, false),
-            })
-            .collect();
-    }
+    let covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
+    let mut ready = turn.ready(&backdrop, &covered);
+    let mut cuts = turn.together(&mut ready);
     let background_patches = turn.laid_bare(&mut ready, &mut cuts);
     Cuts {
         cuts,
@@ -102,16 +86,8 @@ pub fn without_plate(
     }
 }
 
-/// The background, followed from where all photos show it to where few do.
-fn followed(smalls: &[Rgb], people: &[Sense], gamma: f32) -> Backdrop {
-    let modes = Modes::of(smalls);
-    let mut backdrop = modes.backdrop(&chosen(&modes, smalls, people, gamma));
-    without_islands(&mut backdrop.seen);
-    backdrop
-}
-
 /// Pixels that are background on all photos. What never changes may be the crown of a head, but then it is
-/// not the background that is followed there.
+/// enclosed by what changes.
 fn always(smalls: &[Rgb], backdrop: &Backdrop) -> Vec<bool> {
     let still = still(smalls);
     let both = |(still, seen): (&Option<bool>, &bool)| *still == Some(true) && *seen;
@@ -132,7 +108,7 @@ struct Turn<'a> {
     disk_side_mm: f64,
     within: Option<(Rectangle, usize)>,
     /// Log-odds of the body by a person's sense, photo by photo; empty where nobody is seen.
-    people: &'a [Sense],
+    people: &'a [Vec<f32>],
     /// Pixels that are the background on all photos.
     always_bare: Vec<bool>,
 }
@@ -146,8 +122,7 @@ impl Turn<'_> {
         let nearby = Nearby::of(&around.still);
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
         for (ready, person) in ready.iter_mut().zip(self.people) {
-            let size = [ready.small.width, ready.small.height];
-            ready.person = person.beyond(&shown(&ready.cost, &ready.known, size));
+            ready.person.clone_from(person);
         }
         let evident = evident(shots, &ready, radius);
         missed(&mut ready, shots, &around, covered, evident.as_ref());
@@ -252,7 +227,7 @@ fn evident(shots: &[Shot], ready: &[Prepared], radius: f64) -> Option<Gmm> {
 fn glimpsed(backdrop: &mut Backdrop, smalls: &[Rgb], body: &Gmm) {
     let likely = |c: &[u8; 3]| body_cost(body, *c) < STRANGE;
     let hidden: Vec<Image<bool>> = smalls.par_iter().map(|s| s.map(likely)).collect();
-    let more = recurring(smalls, Some(&hidden), MIN_AGREEMENT).backdrop;
+    let more = recurring(smalls, Some(&hidden), MIN_AGREEMENT);
     for i in 0..backdrop.seen.data.len() {
         if !backdrop.seen.data[i] && more.seen.data[i] {
             backdrop.seen.data[i] = true;
