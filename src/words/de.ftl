@@ -764,6 +764,7 @@ warn-shows-same = { $after } zeigt dasselbe wie { $before }, dazwischen drehte s
 warn-sideways = die Fotos liegen auf der Seite; wo oben ist, wurde geraten: die Fotos aufrecht drehen, um sicher zu sein
 warn-spline-left = die glatte Kurve durch Punkte der Oberfläche (Spline) liegt { $off } neben dem genauen Schnitt: Die Oberfläche ist dort zu grob; Maßband oder Kontur nehmen
 warn-covered = der Schnitt geht über ein Loch des Scans, das flach geschlossen ist: Der Bereich ist um das weiter, was die Haut sich dort wölben kann
+warn-no-edge = was getragen wird und was dahinter ist, sehen sich dort am Umriss ähnlich, auf { $names }: Der Bereich ist um das weiter, was Masken weglassen oder behalten können; eine andere Farbe tragen
 warn-split = die Arme berühren den Rumpf und wurden geschätzt abgetrennt: Die Bereiche sind weiter; die Arme weiter vom Körper weg halten
 warn-surface-fault = { $name }: { $fault }; Querschnitte dort fehlen vielleicht
 warn-swayed = die Person bewegte sich gegen die Scheibe: Objektiv und Schritte blieben, wie sie angegeben sind, und wie sicher die Kameras sind, ist nicht bekannt

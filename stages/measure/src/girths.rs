@@ -4,6 +4,7 @@ use crate::causes::{Evidence, Tall, disputed, explain, left_out};
 use crate::derive::{Known, compress, derive, profile, withhold};
 use crate::features::body::Body;
 use crate::growth::growth;
+use crate::named::named;
 use crate::remarks::warnings;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::picked::picked;
@@ -11,6 +12,7 @@ use crate::sections::taken::taken;
 use crate::uncertainty::clothes::{Hem, hem};
 use crate::uncertainty::contradicted::Outlines;
 use crate::uncertainty::covered::Covers;
+use crate::uncertainty::edges::{Edges, Unseen};
 use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{Borders, by_silhouettes, open_mm};
 use crate::uncertainty::reported::{Seen, Sure};
@@ -18,14 +20,12 @@ use shape::{
     BodyFeatures, BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh,
     Missing, Person, Photos, Refusal, girth_names,
 };
-use stage::{Ctx, Message, Stage, Stop, message};
+use stage::{Ctx, Field, Message, Stage, Stop, message};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 stage::messages! {
-    NO_DAY = "warn-born-no-day": "the day of birth is given, but not that of the capture, so the age is not known: set `date` in capture.toml, or give --date";
     COVERED = "warn-covered": "the section crosses a hole of the scan that is closed by a flat cover: the interval is wider by what the skin may bulge there";
-    BORN_LATER = "warn-born-later": "the capture is before the day of birth: correct `born` or `date` in capture.toml";
 }
 
 stage::params! {
@@ -90,7 +90,7 @@ const SHOWN_MM: f64 = 1.0;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 37;
+    const VERSION: u32 = 38;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -107,7 +107,7 @@ impl Stage for Measure {
             missing: missing(&input),
             ..Girths::default()
         };
-        let (outlines, hem) = (outlines(&input, body), body.and_then(hem));
+        let ((outlines, edges), hem) = (outlines(&input, body), body.and_then(hem));
         let covers = Covers::of(mesh);
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
@@ -115,7 +115,7 @@ impl Stage for Measure {
         for landmark in landmarks.found.iter().filter(|l| !lost(l)) {
             match taken(mesh, body, landmark) {
                 Ok(here) => {
-                    let by = (outlines.as_ref(), hem, &covers);
+                    let by = (outlines.as_ref(), hem, &covers, edges.as_ref());
                     let seen = seen(body, landmark, &here, &input, by);
                     all.push((landmark, here, seen));
                 }
@@ -128,6 +128,10 @@ impl Stage for Measure {
             let level = body.map_or(Level::default(), |b| level_spread(mesh, b, landmark, &here));
             let worn = hem.filter(|_| seen.worn_mm > 0.0);
             remark_cover(landmark, &seen, ctx);
+            let unseen = seen.unseen.remark(here.tape_mm, input.photos.as_deref());
+            unseen
+                .into_iter()
+                .for_each(|w| ctx.warn(w.of_what(about(landmark))));
             match sure.girth(landmark, here, &seen, level) {
                 Ok(girth) => girths.girths.push(girth),
                 Err(reason) => refuse(landmark, (reason, worn), &mut girths),
@@ -178,25 +182,15 @@ impl Stage for Measure {
     }
 }
 
-/// What the capture is called, its day, given or by its photos, sex, and the age on that day.
-fn named(girths: &mut Girths, person: &Person, by_photos: Option<String>, ctx: &Ctx<'_>) {
-    girths.capture = person.capture.clone();
-    girths.date = person.date.clone().or(by_photos);
-    girths.sex = person.sex;
-    let age = person.age_on(girths.date.as_deref());
-    girths.age_months = age.filter(|months| *months >= 0.0);
-    if age.is_none() && person.born.is_some() {
-        ctx.warn(message!(NO_DAY));
-    }
-    if age.is_some_and(|months| months < 0.0) {
-        ctx.warn(message!(BORN_LATER));
-    }
-}
-
-/// All outlines, where a body was found.
-fn outlines(input: &GirthInput, body: Option<&Body>) -> Option<Outlines> {
-    let (cameras, masks) = input.cameras.as_deref().zip(input.masks.as_deref())?;
-    Outlines::of(cameras, masks, body?.stature)
+/// All outlines, and what photos show of them, where a body was found.
+fn outlines(input: &GirthInput, body: Option<&Body>) -> (Option<Outlines>, Option<Edges>) {
+    let outlines = input.cameras.as_deref().zip(input.masks.as_deref());
+    let Some(((cameras, masks), body)) = outlines.zip(body) else {
+        return (None, None);
+    };
+    let photos = input.photos.as_deref();
+    let edges = photos.map(|photos| Edges::of(cameras, masks, photos, body.stature));
+    (Outlines::of(cameras, masks, body.stature), edges)
 }
 
 /// Takes down why a girth is not given: because of a hem, if one hides it.
@@ -227,11 +221,15 @@ fn lost(input: &GirthInput, landmark: &Landmark) -> Option<Message> {
     left_out(input.lost_parts.as_deref()?, part)
 }
 
+/// The girth's name.
+fn about(landmark: &Landmark) -> Field {
+    girth_names(&[(Some(landmark.id), &landmark.name)])
+}
+
 /// Remarks that a section crosses a hole that was closed, where that shows in its interval.
 fn remark_cover(landmark: &Landmark, seen: &Seen, ctx: &Ctx<'_>) {
     if seen.covered_mm > SHOWN_MM {
-        let name = girth_names(&[(Some(landmark.id), &landmark.name)]);
-        ctx.warn(message!(COVERED).of_what(name));
+        ctx.warn(message!(COVERED).of_what(about(landmark)));
     }
 }
 
@@ -241,7 +239,7 @@ fn seen(
     landmark: &Landmark,
     here: &SectionMeasurement,
     input: &GirthInput,
-    (outlines, hem, covers): (Option<&Outlines>, Option<Hem>, &Covers),
+    (outlines, hem, covers, edges): (Option<&Outlines>, Option<Hem>, &Covers, Option<&Edges>),
 ) -> Seen {
     let cut = (here.contour.as_slice(), &landmark.plane);
     let covered_mm = covers.bulge_mm(&input.mesh, cut, here.tape_mm);
@@ -253,6 +251,7 @@ fn seen(
             // A surface that no photos made has no corners of theirs.
             open_mm: cameras.is_none().then_some(0.0),
             left_out_mm: 0.0,
+            unseen: Unseen::default(),
             covered_mm,
             worn_mm,
         };
@@ -261,6 +260,9 @@ fn seen(
         borders: by_silhouettes(body, landmark, here, cameras, masks),
         open_mm: Some(open_mm(body, landmark, here, cameras)),
         left_out_mm: outlines.map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
+        unseen: edges.map_or(Unseen::default(), |all| {
+            all.unseen(&here.contour, &landmark.plane)
+        }),
         covered_mm,
         worn_mm,
     }

@@ -18,6 +18,7 @@ mod growth;
 mod import;
 mod landmarks;
 mod model;
+mod named;
 mod planes;
 mod remarks;
 mod sections;
@@ -84,9 +85,11 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     features::whole::MESSAGES,
     find_body::MESSAGES,
     girths::MESSAGES,
+    named::MESSAGES,
     landmarks::MESSAGES,
     planes::joints::MESSAGES,
     planes::place::MESSAGES,
+    uncertainty::edges::MESSAGES,
     remarks::MESSAGES,
     uncertainty::clothes::MESSAGES,
     BodyError::MESSAGES,

@@ -3,6 +3,7 @@
 pub(crate) mod clothes;
 pub(crate) mod contradicted;
 pub(crate) mod covered;
+pub(crate) mod edges;
 pub(crate) mod interval;
 pub(crate) mod outlines;
 pub(crate) mod reported;

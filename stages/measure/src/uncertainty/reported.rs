@@ -2,6 +2,7 @@
 
 use crate::geometry::spline::has_left;
 use crate::sections::one::SectionMeasurement;
+use crate::uncertainty::edges::Unseen;
 use crate::uncertainty::interval::{Level, interval, together, too_wide};
 use crate::uncertainty::outlines::{Borders, shared_border, surface_by_cameras};
 use nalgebra::Point3;
@@ -9,7 +10,7 @@ use shape::{Cameras, Girth, GirthId, Landmark, NINE_IN_TEN, Note, Refusal, Sigma
 use std::f64::consts::TAU;
 
 /// From this share of a tape on it is noted that no outline confirms it.
-const OPEN: f64 = 0.012;
+pub(crate) const OPEN: f64 = 0.012;
 /// How much longer than its tape the skin around a waist may be: more points to a hole.
 const WAIST_FOLDS: f64 = 1.05;
 
@@ -21,6 +22,8 @@ pub(crate) struct Seen {
     pub(crate) open_mm: Option<f64>,
     /// How much longer the tape would be with what one photo alone denies, against all the rest; 0 where nobody looked. \[mm\]
     pub(crate) left_out_mm: f64,
+    /// What photos do not show of the outlines beside it.
+    pub(crate) unseen: Unseen,
     /// How much longer the tape is if the skin bulges over holes that are closed flat; 0 where none is in the section. \[mm\]
     pub(crate) covered_mm: f64,
     /// How much longer the tape is by clothes that hang away from the legs at their hem; 0 where none do. \[mm\]
@@ -104,6 +107,7 @@ impl Sure<'_> {
             ),
         };
         let width = libm::hypot(libm::hypot(width, seen.left_out_mm), seen.covered_mm);
+        let width = libm::hypot(width, seen.unseen.tape_mm);
         let mut sigmas = Sigmas {
             level_mm: level.against_definition,
             surface_mm: Some(width),
@@ -236,6 +240,7 @@ mod tests {
             borders: Borders::Hidden,
             open_mm: Some(open),
             left_out_mm: 0.0,
+            unseen: Unseen::default(),
             covered_mm: 0.0,
             worn_mm: 0.0,
         };

@@ -1,0 +1,218 @@
+//! Where a photo shows no edge along an outline, as where clothes have the wall's colour, no pixel says where the body ends:
+//! a mask follows other photos and a learned sense of a person there, and is off by more than elsewhere.
+
+use crate::uncertainty::reported::OPEN;
+use nalgebra::{Point3, Unit, Vector3};
+use rayon::prelude::*;
+use shape::{
+    Camera, Cameras, Mask, Masks, PhotoId, Photos, Plane, Rgb, View, signed_distance, some_photos,
+};
+use stage::{Message, message};
+use std::f64::consts::TAU;
+
+stage::messages! {
+    NO_EDGE = "warn-no-edge": "what is worn and what is behind look alike along the outline there on {names}: the interval is wider by what masks may leave out or keep; wear another colour";
+}
+
+/// Photos are asked at a size of so many pixels at most, the one at which masks are first cut (structural). \[px\]
+const LONGEST: usize = 800;
+/// Pixels so near to the outline on either side, and no nearer, show one side each (structural: labels are no finer, and their border is mixed). \[px\]
+const BESIDE: [f32; 2] = [1.0, 3.0];
+/// How far along the outline they are taken together (structural: samples). \[px\]
+const ALONG: usize = 3;
+/// Mean colours of both sides that differ by less in all channels show no edge. Fitted with [`UNSEEN`]. \[levels\]
+const EDGE: f32 = 12.0;
+/// Standard deviation of an outline where no edge shows, as a share of stature; where one shows it is a fifth of that. Fitted
+/// on masks of five captures drawn by `docs/tables/rooms.py` (scenes 17, 20, 23, 27, 73): 0.0014 to 0.0061.
+const UNSEEN: f64 = 0.0055;
+
+/// The outlines of all masks, with what photos show of them.
+pub(crate) struct Edges {
+    views: Vec<(PhotoId, Camera, Vec<Place>)>,
+    stature: f64,
+}
+
+/// A pixel of an outline.
+struct Place {
+    at: [usize; 2],
+    /// Whether the photo shows an edge there.
+    seen: bool,
+}
+
+/// What no photo shows of a section.
+#[derive(Default)]
+pub(crate) struct Unseen {
+    /// Standard deviation of its tape by it: nothing says that photos err differently. \[mm\]
+    pub(crate) tape_mm: f64,
+    /// Photos that show no edge beside it.
+    pub(crate) photos: Vec<PhotoId>,
+}
+
+impl Unseen {
+    /// Names photos where it shows in the interval of a tape. \[mm\]
+    pub(crate) fn remark(&self, tape_mm: f64, photos: Option<&Photos>) -> Option<Message> {
+        let of = self.photos.iter().filter_map(|id| photos?.get(*id));
+        let names: Vec<String> = of.map(|photo| photo.name.clone()).collect();
+        let names = some_photos(&names).filter(|_| self.tape_mm > OPEN * tape_mm)?;
+        Some(message!(NO_EDGE, names = names))
+    }
+}
+
+impl Edges {
+    /// Of photos that masks fit; others are left out. \[mm\]
+    pub(crate) fn of(cameras: &Cameras, masks: &Masks, photos: &Photos, stature: f64) -> Edges {
+        let pairs: Vec<_> = cameras.views.join(&masks.views).collect();
+        let one = |(id, view, mask): &(PhotoId, &View, &Mask)| {
+            let photo = photos.get(*id)?.decode().ok()?;
+            let fits = [photo.width, photo.height] == [mask.width, mask.height];
+            fits.then(|| {
+                let by = photo.width.max(photo.height).div_ceil(LONGEST).max(1);
+                let mask = mask.map(|v| f32::from(*v)).reduced(by);
+                let mask = mask.map(|v| v.round() as u8);
+                let camera = view.camera.resized(mask.width as u32, mask.height as u32);
+                (*id, camera, places(&photo.reduced(by), &mask))
+            })
+        };
+        Edges {
+            views: pairs.par_iter().filter_map(one).collect(),
+            stature,
+        }
+    }
+
+    /// What is unseen of a section: of each photo the outline beside its two ends.
+    pub(crate) fn unseen(&self, contour: &[Point3<f64>], plane: &Plane) -> Unseen {
+        let near_mm = 2.0 * UNSEEN * self.stature;
+        let origin = crate::geometry::section::centre(contour);
+        let (mut asked, mut sum, mut photos) = (0.0, 0.0, Vec::new());
+        for (id, camera, places) in &self.views {
+            let across = Vector3::from(plane.normal).cross(&(origin - camera.centre()));
+            let Some(across) = Unit::try_new(across, 1e-9) else {
+                continue;
+            };
+            let mut hidden = 0.0;
+            for turn in [1.0, -1.0] {
+                let out = |p: &&Point3<f64>| turn * (*p - origin).dot(&across);
+                let end = contour.iter().max_by(|a, b| out(a).total_cmp(&out(b)));
+                let shown = end.and_then(|end| camera.project_with_depth(end));
+                let Some((px, depth)) = shown else { continue };
+                let near_px = near_mm * camera.lens.focal[0] / depth;
+                let far = |at: [usize; 2]| libm::hypot(at[0] as f64 - px.x, at[1] as f64 - px.y);
+                let near = places.iter().filter(|place| far(place.at) < near_px);
+                let (seen, unseen): (Vec<&Place>, Vec<&Place>) = near.partition(|p| p.seen);
+                let all = seen.len() + unseen.len();
+                if all > 0 {
+                    asked += 1.0;
+                    hidden += unseen.len() as f64 / all as f64;
+                }
+            }
+            sum += hidden;
+            // On one side at least.
+            if hidden > 0.5 {
+                photos.push(*id);
+            }
+        }
+        Unseen {
+            tape_mm: TAU * UNSEEN * self.stature * sum / f64::max(asked, 1.0),
+            photos,
+        }
+    }
+}
+
+/// The pixels of the outline of a mask, each with whether its photo shows an edge.
+fn places(photo: &Rgb, mask: &Mask) -> Vec<Place> {
+    let depth = signed_distance(mask);
+    let (width, height) = (mask.width, mask.height);
+    let inner = |v: usize, most: usize| v > ALONG && v + ALONG + 1 < most;
+    let on = |i: &usize| {
+        let (x, y) = (i % width, i / width);
+        depth.data[*i] > 0.0 && depth.data[*i] <= 1.0 && inner(x, width) && inner(y, height)
+    };
+    let place = |i: usize| {
+        let at = [i % width, i / width];
+        let mut sides = [([0.0f32; 3], 0.0f32); 2];
+        for y in at[1] - ALONG..=at[1] + ALONG {
+            for x in at[0] - ALONG..=at[0] + ALONG {
+                let deep = depth.at(x, y);
+                if !(BESIDE[0]..=BESIDE[1]).contains(&deep.abs()) {
+                    continue;
+                }
+                let (sum, count) = &mut sides[usize::from(deep > 0.0)];
+                let color = photo.at(x, y);
+                (0..3).for_each(|c| sum[c] += f32::from(color[c]));
+                *count += 1.0;
+            }
+        }
+        let [(out, outs), (body, bodies)] = sides;
+        // Where one side is too narrow to be asked, the outline beside it tells.
+        let alike = outs > 0.0
+            && bodies > 0.0
+            && (0..3).all(|c| (out[c] / outs - body[c] / bodies).abs() < EDGE);
+        Place { at, seen: !alike }
+    };
+    (0..width * height).filter(on).map(place).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shape::Intrinsics;
+
+    /// A post of 150 mm before a wall, which on its left has the post's colour: photos all around, and the post's section.
+    fn post(alike: bool) -> (Edges, Vec<Point3<f64>>) {
+        let one = |k: u32| {
+            let (s, c) = libm::sincos(f64::from(k) * TAU / 18.0);
+            let from = Point3::new(2500.0 * c, 2500.0 * s, 500.0);
+            let lens = Intrinsics::simple(240, 320, 900.0);
+            let camera = Camera::looking(lens, from, Point3::new(0.0, 0.0, 500.0));
+            let mask = Mask::filled(240, 320, 0);
+            let body = |i: usize| (i as f64 % 240.0 - 119.5).abs() < 54.1;
+            let all = 0..240 * 320;
+            let cover = all.clone().map(|i| if body(i) { 255 } else { 0 });
+            let color = all.map(|i| match body(i) || alike && i % 240 < 120 {
+                true => [140, 141, (i % 5) as u8 + 140],
+                false => [90, 141, 140],
+            });
+            let photo = Rgb {
+                width: 240,
+                height: 320,
+                data: color.collect(),
+            };
+            let mask = Mask {
+                data: cover.collect(),
+                ..mask
+            };
+            (PhotoId(k), camera, places(&photo, &mask))
+        };
+        let edges = Edges {
+            views: (0..18).map(one).collect(),
+            stature: 1700.0,
+        };
+        let round = (0..360).map(|k| {
+            let (s, c) = libm::sincos(f64::from(k) * TAU / 360.0);
+            Point3::new(150.0 * c, 150.0 * s, 500.0)
+        });
+        (edges, round.collect())
+    }
+
+    #[test]
+    fn a_tape_is_as_unsure_as_the_share_of_its_outlines_that_no_photo_shows() {
+        let level = Plane {
+            point_mm: [0.0, 0.0, 500.0],
+            normal: [0.0, 0.0, 1.0],
+        };
+        let unseen = |alike| {
+            let (edges, contour) = post(alike);
+            edges.unseen(&contour, &level)
+        };
+        let half = unseen(true);
+        let want = TAU * UNSEEN * 1700.0 / 2.0;
+        assert!(
+            (half.tape_mm - want).abs() < 0.02 * want,
+            "{}",
+            half.tape_mm
+        );
+        assert_eq!(half.photos.len(), 18);
+        let clear = unseen(false);
+        assert!(clear.tape_mm == 0.0 && clear.photos.is_empty());
+    }
+}
