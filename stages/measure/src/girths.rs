@@ -17,10 +17,10 @@ use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{Borders, by_silhouettes, open_mm};
 use crate::uncertainty::reported::{Seen, Sure};
 use shape::{
-    BodyFeatures, BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh,
-    Missing, Person, Photos, Refusal, girth_names,
+    BodyFeatures, BodyPart, Cameras, Girth, GirthId, Girths, Landmark, Landmarks, LostParts, Masks,
+    Mesh, Missing, Person, Photos, Refusal, girth_names,
 };
-use stage::{Ctx, Field, Message, Stage, Stop, message};
+use stage::{Ctx, Message, Stage, Stop, message};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -90,7 +90,7 @@ const SHOWN_MM: f64 = 1.0;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 38;
+    const VERSION: u32 = 39;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -127,28 +127,23 @@ impl Stage for Measure {
         for (landmark, here, seen) in all {
             let level = body.map_or(Level::default(), |b| level_spread(mesh, b, landmark, &here));
             let worn = hem.filter(|_| seen.worn_mm > 0.0);
-            remark_cover(landmark, &seen, ctx);
-            let unseen = seen.unseen.remark(here.tape_mm, input.photos.as_deref());
-            unseen
-                .into_iter()
-                .for_each(|w| ctx.warn(w.of_what(about(landmark))));
-            match sure.girth(landmark, here, &seen, level) {
+            let (tape_mm, girth) = (here.tape_mm, sure.girth(landmark, here, &seen, level));
+            remark(landmark, (&seen, tape_mm, girth.as_ref().ok()), &input, ctx);
+            match girth {
                 Ok(girth) => girths.girths.push(girth),
                 Err(reason) => refuse(landmark, (reason, worn), &mut girths),
             }
             steps.tick()?;
         }
         if !p.points.is_empty() {
-            let girth = picked(mesh, &p.points)?;
-            match sure.picked(girth) {
+            match sure.picked(picked(mesh, &p.points)?) {
                 Ok(girth) => girths.girths.push(girth),
                 Err(reason) => girths.missing.push(Missing::new(GirthId::Picked, reason)),
             }
         }
         girths.profile = body.map_or_else(Default::default, |body| profile(body, &girths));
         compress(&mut girths, p.compression_pct);
-        let rig = input.photos.as_ref().map(|photos| photos.rig.clone());
-        let rig = rig.unwrap_or_default();
+        let rig = (input.photos.as_ref()).map_or_else(Default::default, |all| all.rig.clone());
         let person = input.person.clone().unwrap_or_default();
         let evidence = Evidence {
             mesh,
@@ -168,7 +163,7 @@ impl Stage for Measure {
             given_mm: rig.stature_mm.filter(|_| disputed.is_none()),
             kg: person.weight_kg,
         };
-        named(&mut girths, &person, rig.date.clone(), ctx);
+        let odd = named(&mut girths, &person, rig.date.clone());
         girths.scale_sigma = input.cameras.as_ref().and_then(|c| c.scale_sigma);
         girths.stature_sigma_mm = landmarks.stature_sigma_mm;
         derive(&mut girths, mesh, &known);
@@ -177,7 +172,8 @@ impl Stage for Measure {
             withhold(&mut girths, between);
         }
         explain(&mut girths, &evidence);
-        warnings(&girths).into_iter().for_each(|w| ctx.warn(w));
+        let all = odd.into_iter().chain(warnings(&girths));
+        all.for_each(|w| ctx.warn(w));
         Ok(girths)
     }
 }
@@ -221,16 +217,19 @@ fn lost(input: &GirthInput, landmark: &Landmark) -> Option<Message> {
     left_out(input.lost_parts.as_deref()?, part)
 }
 
-/// The girth's name.
-fn about(landmark: &Landmark) -> Field {
-    girth_names(&[(Some(landmark.id), &landmark.name)])
-}
-
-/// Remarks that a section crosses a hole that was closed, where that shows in its interval.
-fn remark_cover(landmark: &Landmark, seen: &Seen, ctx: &Ctx<'_>) {
-    if seen.covered_mm > SHOWN_MM {
-        ctx.warn(message!(COVERED).of_what(about(landmark)));
-    }
+/// Remarks that a section crosses a hole that was closed, or that photos do not show its outlines, where that shows in its
+/// interval.
+fn remark(
+    landmark: &Landmark,
+    (seen, tape_mm, girth): (&Seen, f64, Option<&Girth>),
+    input: &GirthInput,
+    ctx: &Ctx<'_>,
+) {
+    let covered = (seen.covered_mm > SHOWN_MM).then(|| message!(COVERED));
+    let unseen = (seen.unseen).remark(tape_mm, girth.map(|g| &g.sigmas), input.photos.as_deref());
+    let name = girth_names(&[(Some(landmark.id), &landmark.name)]);
+    let all = covered.into_iter().chain(unseen);
+    all.for_each(|w| ctx.warn(w.of_what(name.clone())));
 }
 
 /// What outlines tell of a section.

@@ -1,12 +1,13 @@
 //! What is remarked of girths: each kind of remark and each reason of a refusal once, for all girths that it concerns.
 
 use crate::derive::no_density;
-use shape::{Girth, Girths, NamedGirth, Note, Unit, by_reason, girth_names};
+use shape::{Girth, Girths, NamedGirth, Note, Region, Unit, by_reason, girth_names};
 use stage::{Field, Message, message};
 
 stage::messages! {
     OPEN = "warn-open": "no photo shows the outline along part of this section (hands in front, or too few photos): up to {length} may not be body; take more photos, or hold the hands farther away";
     SPLIT = "warn-split": "the arms touch the trunk and were separated by estimation: intervals are wider; hold the arms farther from the body";
+    THIGHS_SPLIT = "warn-thighs-split": "the thighs touch and were parted by estimation between the folds before and behind them: intervals are wider; place the feet farther apart";
     NO_INTERVAL = "warn-no-interval": "no interval is given, for a part of it that matters is not known (the report names it)";
     SHORTENED = "warn-shortened": "tapes and their intervals are shortened by {by} %, as given by compression_pct";
     NOTHING = "warn-nothing": "nothing was measured: {why}";
@@ -36,9 +37,10 @@ pub(crate) fn warnings(girths: &Girths) -> Vec<Message> {
         };
         warnings.push(message!(OPEN, length = length).of_what(names));
     }
-    if let Some(names) = names(&|g| g.split.is_some()) {
-        warnings.push(message!(SPLIT).of_what(names));
-    }
+    let split = |thigh: bool| names(&|g| g.split.is_some() && (g.region == Region::Thigh) == thigh);
+    let arms = split(false).map(|names| message!(SPLIT).of_what(names));
+    let thighs = split(true).map(|names| message!(THIGHS_SPLIT).of_what(names));
+    warnings.extend(arms.into_iter().chain(thighs));
     if let Some(names) = names(&|g| g.interval_mm.is_none()) {
         warnings.push(message!(NO_INTERVAL).of_what(names));
     }

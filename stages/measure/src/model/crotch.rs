@@ -16,9 +16,14 @@ const FULLEST: f64 = 0.2;
 /// NATICK/TR-11/017, appendix G).
 const ALLOWED_MM: f64 = 6.0;
 
+/// How high the crotch of a body is whose buttocks are so high; shares of stature.
+pub(crate) fn crotch(buttock: f64) -> f64 {
+    CROTCH[0] + CROTCH[1] * buttock
+}
+
 /// How likely the crotch of a body whose buttocks are so high is no lower than a height; shares of stature.
 pub(crate) fn no_lower(buttock: f64, height: f64) -> f64 {
-    above(CROTCH[0] + CROTCH[1] * buttock - height)
+    above(crotch(buttock) - height)
 }
 
 /// How likely a crotch so far below its middle is above that.
@@ -38,7 +43,7 @@ pub(crate) struct Hidden {
 impl Hidden {
     /// Of a body whose buttocks are so high and whose legs join so high.
     pub(crate) fn of(buttock: f64, join: f64) -> Hidden {
-        let above = CROTCH[0] + CROTCH[1] * buttock - join;
+        let above = crotch(buttock) - join;
         let z = above / SIGMA;
         let density = libm::exp(-0.5 * z * z) / std::f64::consts::TAU.sqrt();
         // The mean square of a normal distribution's part above nought.

@@ -5,10 +5,10 @@ use crate::features::extent::extent;
 use crate::features::limb::follow::Knot;
 use crate::features::limb::{Limb, Limbs, Segment};
 use crate::features::marks::hip;
-use crate::geometry::section::{flat, length, tape};
-use crate::geometry::slices::{Ring, level};
-use crate::model::crotch::Hidden;
-use nalgebra::{Point3, Vector3};
+use crate::geometry::halves::{half, webbed};
+use crate::geometry::slices::{Ring, Slice};
+use crate::model::crotch::{Hidden, crotch};
+use nalgebra::Vector3;
 use shape::{Mesh, Part, Plane, PlaneSigma, Refusal};
 
 /// A plane and how sure it is.
@@ -102,17 +102,6 @@ impl<'a> Across<'a> {
 
 /// A web begins a little lower than it shows, as a share of stature.
 const CLEAR_OF_WEB: f64 = 0.0025;
-/// The skin of a thigh's inner half is longer than a tape around that half by at most so much of the
-/// whole tape: more is a web between the thighs, which no photo looks into, and hangs on one of them.
-const WEB: f64 = 0.02;
-/// Whether a thigh's section of a side (1 left, -1 right) holds part of a web between the thighs.
-pub(crate) fn webbed(body: &Body, ring: &Ring, side: f64) -> bool {
-    let inner = |p: &&Point3<f64>| (*p - ring.centre).dot(&body.left) * side < 0.0;
-    let inner: Vec<Point3<f64>> = ring.curve.iter().filter(inner).copied().collect();
-    let half = flat(&inner, &level(ring.centre.z));
-    length(&half) - tape(&half) > WEB * ring.tape
-}
-
 /// A thigh where it is fullest below the crotch (ISO 8559-1 5.3.20): level, or square to a leg that leans; and what of it
 /// may be hidden, if that is more than a survey allows.
 pub(crate) fn thigh(
@@ -153,7 +142,7 @@ pub(crate) fn thigh(
             s -= step;
             continue;
         }
-        if upright && webbed(body, &ring, side) {
+        if upright && webbed(&ring, &(body.left * side)) {
             web = web.min(plane.point_mm[2]);
         }
         found.push((plane, ring.tape));
@@ -162,7 +151,7 @@ pub(crate) fn thigh(
     }
     let top = found.last().ok_or(Refusal::NoSection)?.0.point_mm[2] - body.ground;
     if top < ONE * body.stature && leg.bent == 0.0 {
-        return Err(Refusal::ThighsOne);
+        return touching(body, side);
     }
     let highest = ways.last().ok_or(Refusal::NoSection)? - BELOW * body.stature;
     if let Some((plane, ring)) = across.at(highest) {
@@ -181,11 +170,39 @@ pub(crate) fn thigh(
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .ok_or(Refusal::NoSection)?;
     // The lower the legs part, or a web between them begins, the farther above may be what they hide.
-    let clear = top.min(web - body.ground);
+    unseen(body, &found, fullest, top.min(web - body.ground))
+}
+
+/// Thighs that are one on the surface, parted between their folds: where the half of a ring is last a leg's, below the crotch
+/// that the buttocks suggest.
+pub(crate) fn touching(body: &Body, side: f64) -> Result<(Placed, Option<Hidden>), Refusal> {
+    let buttock = hip(body).ok_or(Refusal::ThighsOne)? - body.ground;
+    let crotch = crotch(buttock / body.stature) - BELOW;
+    let both = |slice: &Slice| {
+        let ring = slice.rings.first()?;
+        let plane = Plane {
+            point_mm: ring.centre.into(),
+            normal: (-Vector3::z()).into(),
+        };
+        let one = |side: f64| Some(half(&ring.curve, &plane, &(body.left * side))?.tape);
+        one(-side).and(one(side)).map(|tape| (plane, tape))
+    };
+    let found: Vec<(Plane, f64)> = body.shares((ONE, crotch)).filter_map(both).collect();
+    let highest = found.last().ok_or(Refusal::ThighsOne)?;
+    unseen(body, &found, highest, highest.0.point_mm[2] - body.ground)
+}
+
+/// The fullest of a thigh's planes as far up as it is clear, how sure it is, and what is hidden above it. \[mm\]
+fn unseen(
+    body: &Body,
+    found: &[(Plane, f64)],
+    fullest: &(Plane, f64),
+    clear: f64,
+) -> Result<(Placed, Option<Hidden>), Refusal> {
     let buttock = hip(body).ok_or(Refusal::ThighsOne)? - body.ground;
     let hidden = Hidden::of(buttock / body.stature, clear / body.stature);
     let sigma = libm::hypot(EXTREME, hidden.rms) * body.stature;
-    let growth = growth(&found, fullest, hidden.above * body.stature);
+    let growth = growth(found, fullest, hidden.above * body.stature);
     let matters = hidden.matters(body.stature, growth);
     Ok(((fullest.0, sure(sigma)), matters.then_some(hidden)))
 }

@@ -5,7 +5,7 @@ use crate::features::limb::Limbs;
 use crate::features::neck::neck_features;
 use crate::model::law::Law;
 use crate::model::level::Level;
-use crate::planes::limbs::{ONE, calf, thigh, upper_arm};
+use crate::planes::limbs::{ONE, calf, thigh, touching, upper_arm};
 use crate::planes::neck::{is_groove, plane_at, tilted};
 use crate::planes::neck_level::neck_level;
 use crate::planes::trunk::{Placed, Trunk, hip_plane, longest_hip_plane, unlike};
@@ -151,14 +151,15 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
 /// Thigh and calf of both legs; a warning if so much of a thigh's upper end may be hidden that it matters.
 pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Option<Message> {
     let mut hidden = 0.0f64;
-    let joined = match body.legs_join {
-        None => Some(Refusal::NoLegs),
-        Some(z) => (z < body.ground + ONE * body.stature).then_some(Refusal::ThighsOne),
-    };
+    let one = |z: f64| z < body.ground + ONE * body.stature;
     for side in Side::BOTH {
         let (part, sign) = (Part::leg(side), side.sign());
         let mut parted = || {
-            let (placed, above) = thigh(limbs, body, sign)?;
+            let (placed, above) = match body.legs_join {
+                None => Err(Refusal::NoLegs),
+                Some(z) if one(z) => touching(body, sign),
+                Some(_) => thigh(limbs, body, sign),
+            }?;
             if let Some(above) = above {
                 hidden = hidden.max(above.above * body.stature);
             }
@@ -166,10 +167,7 @@ pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Opt
         };
         let [thigh, calf] = match body.whole {
             false => [Err(unlike(body)), Err(unlike(body))],
-            true => [
-                joined.map_or_else(&mut parted, Err),
-                calf(limbs, body, sign),
-            ],
+            true => [parted(), calf(limbs, body, sign)],
         };
         limb(found, GirthId::Thigh(side), part, thigh);
         limb(found, GirthId::Calf(side), part, calf);

@@ -12,5 +12,6 @@ pub(crate) mod hands;
 pub(crate) mod lobe;
 pub(crate) mod one;
 pub(crate) mod picked;
+mod seams;
 pub(crate) mod split;
 pub(crate) mod taken;

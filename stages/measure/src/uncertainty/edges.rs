@@ -1,29 +1,31 @@
-//! Where a photo shows no edge along an outline, as where clothes have the wall's colour, no pixel says where the body ends:
+//! Where a photo shows no edge along an outline, as where clothes have the wall's colour, no pixel shows where the body ends:
 //! a mask follows other photos and a learned sense of a person there, and is off by more than elsewhere.
 
-use crate::uncertainty::reported::OPEN;
 use nalgebra::{Point3, Unit, Vector3};
 use rayon::prelude::*;
 use shape::{
-    Camera, Cameras, Mask, Masks, PhotoId, Photos, Plane, Rgb, View, signed_distance, some_photos,
+    Camera, Cameras, Mask, Masks, PhotoId, Photos, Plane, Rgb, Sigmas, View, signed_distance,
+    some_photos,
 };
 use stage::{Message, message};
 use std::f64::consts::TAU;
 
 stage::messages! {
-    NO_EDGE = "warn-no-edge": "what is worn and what is behind look alike along the outline there on {names}: the interval is wider by what masks may leave out or keep; wear another colour";
+    COLORS_ALIKE = "warn-colors-alike": "what is worn and what is behind look alike along the outline there on {names}: the interval is wider by what masks may leave out or keep; wear another colour";
 }
 
+/// From this share of a tape on it is noted that outlines do not confirm it.
+pub(crate) const OPEN: f64 = 0.012;
 /// Photos are asked at a size of so many pixels at most, the one at which masks are first cut (structural). \[px\]
 const LONGEST: usize = 800;
 /// Pixels so near to the outline on either side, and no nearer, show one side each (structural: labels are no finer, and their border is mixed). \[px\]
 const BESIDE: [f32; 2] = [1.0, 3.0];
 /// How far along the outline they are taken together (structural: samples). \[px\]
 const ALONG: usize = 3;
-/// Mean colours of both sides that differ by less in all channels show no edge. Fitted with [`UNSEEN`]. \[levels\]
+/// Mean colours of both sides that differ by less in all channels show no edge, fitted with [`UNSEEN`]. \[levels\]
 const EDGE: f32 = 12.0;
-/// Standard deviation of an outline where no edge shows, as a share of stature; where one shows it is a fifth of that. Fitted
-/// on masks of five captures drawn by `docs/tables/rooms.py` (scenes 17, 20, 23, 27, 73): 0.0014 to 0.0061.
+/// Standard deviation of an outline where no edge shows, as a share of stature; where one shows it is a fifth of that, fitted
+/// on masks of five captures of `docs/lab/masks.md`, drawn by a seed (17, 20, 23, 27, 73): 0.0014 to 0.0061.
 const UNSEEN: f64 = 0.0055;
 
 /// The outlines of all masks, with what photos show of them.
@@ -42,24 +44,35 @@ struct Place {
 /// What no photo shows of a section.
 #[derive(Default)]
 pub(crate) struct Unseen {
-    /// Standard deviation of its tape by it: nothing says that photos err differently. \[mm\]
+    /// Standard deviation of its tape by it: photos may all err alike. \[mm\]
     pub(crate) tape_mm: f64,
     /// Photos that show no edge beside it.
     pub(crate) photos: Vec<PhotoId>,
 }
 
 impl Unseen {
-    /// Names photos where it shows in the interval of a tape. \[mm\]
-    pub(crate) fn remark(&self, tape_mm: f64, photos: Option<&Photos>) -> Option<Message> {
+    /// Names photos where it shows in the interval of a tape, and is most of it if that is given. \[mm\]
+    pub(crate) fn remark(
+        &self,
+        tape_mm: f64,
+        sigmas: Option<&Sigmas>,
+        photos: Option<&Photos>,
+    ) -> Option<Message> {
+        let most = |s: &Sigmas| {
+            let all = [s.level_mm, s.surface_mm, s.scale_mm, s.split_mm];
+            let square: f64 = all.iter().flatten().map(|mm| mm * mm).sum();
+            2.0 * self.tape_mm * self.tape_mm > square
+        };
+        let shows = self.tape_mm > OPEN * tape_mm && sigmas.is_none_or(most);
         let of = self.photos.iter().filter_map(|id| photos?.get(*id));
         let names: Vec<String> = of.map(|photo| photo.name.clone()).collect();
-        let names = some_photos(&names).filter(|_| self.tape_mm > OPEN * tape_mm)?;
-        Some(message!(NO_EDGE, names = names))
+        let names = some_photos(&names).filter(|_| shows)?;
+        Some(message!(COLORS_ALIKE, names = names))
     }
 }
 
 impl Edges {
-    /// Of photos that masks fit; others are left out. \[mm\]
+    /// Of the photos whose sizes masks have. \[mm\]
     pub(crate) fn of(cameras: &Cameras, masks: &Masks, photos: &Photos, stature: f64) -> Edges {
         let pairs: Vec<_> = cameras.views.join(&masks.views).collect();
         let one = |(id, view, mask): &(PhotoId, &View, &Mask)| {

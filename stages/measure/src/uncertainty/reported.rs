@@ -2,15 +2,13 @@
 
 use crate::geometry::spline::has_left;
 use crate::sections::one::SectionMeasurement;
-use crate::uncertainty::edges::Unseen;
+use crate::uncertainty::edges::{OPEN, Unseen};
 use crate::uncertainty::interval::{Level, interval, together, too_wide};
 use crate::uncertainty::outlines::{Borders, shared_border, surface_by_cameras};
 use nalgebra::Point3;
 use shape::{Cameras, Girth, GirthId, Landmark, NINE_IN_TEN, Note, Refusal, Sigmas, Split};
 use std::f64::consts::TAU;
 
-/// From this share of a tape on it is noted that no outline confirms it.
-pub(crate) const OPEN: f64 = 0.012;
 /// How much longer than its tape the skin around a waist may be: more points to a hole.
 const WAIST_FOLDS: f64 = 1.05;
 
@@ -22,7 +20,6 @@ pub(crate) struct Seen {
     pub(crate) open_mm: Option<f64>,
     /// How much longer the tape would be with what one photo alone denies, against all the rest; 0 where nobody looked. \[mm\]
     pub(crate) left_out_mm: f64,
-    /// What photos do not show of the outlines beside it.
     pub(crate) unseen: Unseen,
     /// How much longer the tape is if the skin bulges over holes that are closed flat; 0 where none is in the section. \[mm\]
     pub(crate) covered_mm: f64,
@@ -106,8 +103,8 @@ impl Sure<'_> {
                 together((here.tape_mm, TAU * surface), outline),
             ),
         };
-        let width = libm::hypot(libm::hypot(width, seen.left_out_mm), seen.covered_mm);
-        let width = libm::hypot(width, seen.unseen.tape_mm);
+        let more = [seen.left_out_mm, seen.covered_mm, seen.unseen.tape_mm];
+        let width = more.into_iter().fold(width, libm::hypot);
         let mut sigmas = Sigmas {
             level_mm: level.against_definition,
             surface_mm: Some(width),

@@ -1,0 +1,131 @@
+//! Where in a section an arm begins that is one with the trunk: where the trunk's outline stops turning round toward its side, or
+//! turns back beyond the arm, or opposite of where it does so.
+
+use super::fold::{STRAIGHT, fold};
+use crate::geometry::section::length;
+use std::f64::consts::TAU;
+
+/// Samples to either side of one that tell the way of the outline there (structural: samples).
+const REACH: usize = 5;
+/// The trunk has turned at least so far before an arm begins. \[rad\]
+const TURNED: f64 = 25.0 * TAU / 360.0;
+
+/// Where on an outline an arm begins: an index, and the outline's way there.
+#[derive(Clone, Copy)]
+pub(super) struct Seam {
+    pub(super) at: usize,
+    pub(super) way: [f64; 2],
+}
+
+/// The way from a point to another, unit.
+fn toward(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    let (x, y) = (b[0] - a[0], b[1] - a[1]);
+    let length = libm::hypot(x, y).max(1e-9);
+    [x / length, y / length]
+}
+
+/// Follows the outline from its middle at the front (`fore` 1) or the back (-1) to the outermost of
+/// a side, and finds where it first stops turning for long, or turns back.
+pub(super) fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<Seam> {
+    let n = points.len();
+    // Seen so that the path runs from the top to the right.
+    let seen = |i: usize| {
+        let p = points[i % n];
+        [side * (p[0] - middle[0]), fore * (p[1] - middle[1])]
+    };
+    let start = (0..n)
+        .filter(|i| seen(*i)[0].abs() < 0.03 * length(points) && seen(*i)[1] > 0.0)
+        .min_by(|a, b| seen(*a)[0].abs().total_cmp(&seen(*b)[0].abs()))?;
+    let end = (0..n).max_by(|a, b| seen(*a)[0].total_cmp(&seen(*b)[0]))?;
+    // A counter-clockwise outline runs to the left at the front.
+    let forward = side * fore > 0.0;
+    let along = |k: usize| match forward {
+        false => (start + k) % n,
+        true => (start + n - k % n) % n,
+    };
+    let long = match forward {
+        false => (end + n - start) % n,
+        true => (start + n - end) % n,
+    };
+    if long < 4 * REACH || long > n / 2 {
+        return None;
+    }
+    let way = |k: usize| {
+        let (a, b) = (seen(along(k + n - REACH)), seen(along(k + REACH)));
+        toward(a, b)
+    };
+    let mut turned: Vec<f64> = Vec::with_capacity(long);
+    for k in 0..long {
+        let [x, y] = way(k);
+        let raw = libm::atan2(-y, x);
+        let last = turned.last().copied().unwrap_or(raw);
+        turned.push(raw + ((last - raw) / TAU).round() * TAU);
+    }
+    let step = length(points) / n as f64;
+    let deep = (0..n).map(|i| seen(i)[1]).fold(0.0, f64::max);
+    let mut best: Option<(f64, usize)> = None;
+    for a in 0..long {
+        if turned[a] < TURNED {
+            continue;
+        }
+        for b in a + 1..long {
+            if turned[b] <= turned[a] + STRAIGHT {
+                let score = (b - a) as f64 * step + deep * (turned[a] - turned[b]);
+                if best.is_none_or(|o| score > o.0) {
+                    best = Some((score, a));
+                }
+            }
+        }
+    }
+    let (score, k) = best?;
+    let [x, y] = way(k);
+    (score > 0.25 * deep).then_some(Seam {
+        at: along(k),
+        way: [side * x, fore * y],
+    })
+}
+
+/// The same of a flat chest or back, which turns too little before the arm: where the outline turns back beyond the arm.
+pub(super) fn beyond_fold(points: &[[f64; 2]], side: f64, fore: f64) -> Option<Seam> {
+    let n = points.len();
+    let out = |i: &usize| side * points[*i][0];
+    let from = (0..n).max_by(|a, b| out(a).total_cmp(&out(b)))?;
+    // A counter-clockwise outline runs forward on the left.
+    let forward = side * fore > 0.0;
+    let along = |k: usize| match forward {
+        true => (from + k) % n,
+        false => (from + n - k % n) % n,
+    };
+    let turn = if forward { 1.0 } else { -1.0 };
+    let start = fold(&|k| points[along(k)], n, turn)?.beyond;
+    let (a, b) = (points[along(start + 2 * REACH)], points[along(start)]);
+    let own = Seam {
+        at: along(start),
+        way: toward(a, b),
+    };
+    // Beyond the middle it is the other arm's.
+    (side * b[0] > 0.0).then_some(own)
+}
+
+/// The same of a fold that is filled up to the arm: as far aside as the other seam of that arm.
+pub(super) fn opposite(
+    points: &[[f64; 2]],
+    middle: [f64; 2],
+    (side, fore): (f64, f64),
+    other: &Seam,
+) -> Option<Seam> {
+    let n = points.len();
+    let off = |i: &usize| (points[*i][0] - points[other.at][0]).abs();
+    let at = (0..n)
+        .filter(|i| fore * (points[*i][1] - middle[1]) > 0.0)
+        .min_by(|a, b| off(a).total_cmp(&off(b)))?;
+    // A counter-clockwise outline runs to the left at the front.
+    let (a, b) = match side * fore > 0.0 {
+        true => (at + REACH, at + n - REACH),
+        false => (at + n - REACH, at + REACH),
+    };
+    Some(Seam {
+        at,
+        way: toward(points[a % n], points[b % n]),
+    })
+}
