@@ -156,7 +156,7 @@ fn places(photo: &Rgb, mask: &Mask) -> Vec<Place> {
             }
         }
         let [(out, outs), (body, bodies)] = sides;
-        // Where one side is too narrow to be asked, the outline beside it tells.
+        // Where one side is too narrow to be asked, the outline beside it decides.
         let alike = outs > 0.0
             && bodies > 0.0
             && (0..3).all(|c| (out[c] / outs - body[c] / bodies).abs() < EDGE);

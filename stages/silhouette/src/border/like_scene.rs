@@ -42,7 +42,7 @@ pub(crate) fn like_scene(
     BodyPart::ALL.into_iter().filter_map(warning).collect()
 }
 
-/// Within so many reduced pixels the network tells nothing apart: two of its own. \[px\]
+/// Within so many reduced pixels the network parts nothing: two of its own. \[px\]
 fn reach(found: &Found, factor: usize) -> usize {
     (2.0 * found.pixel_px() / factor as f32).ceil() as usize
 }
