@@ -40,6 +40,12 @@ impl Sigmas {
         cover_mm: Some(0.0),
     };
 
+    /// The variance of a tape by all that moves it to either side; what is not known counts nothing. \[mm²\]
+    pub fn variance(&self) -> f64 {
+        let all = [self.level_mm, self.surface_mm, self.scale_mm, self.split_mm];
+        all.iter().flatten().map(|mm| mm * mm).sum()
+    }
+
     /// The parts with their names, in order.
     pub fn named(&self) -> [(&'static str, Option<f64>); 5] {
         [

@@ -58,11 +58,7 @@ impl Unseen {
         sigmas: Option<&Sigmas>,
         photos: Option<&Photos>,
     ) -> Option<Message> {
-        let most = |s: &Sigmas| {
-            let all = [s.level_mm, s.surface_mm, s.scale_mm, s.split_mm];
-            let square: f64 = all.iter().flatten().map(|mm| mm * mm).sum();
-            2.0 * self.tape_mm * self.tape_mm > square
-        };
+        let most = |s: &Sigmas| 2.0 * self.tape_mm * self.tape_mm > s.variance();
         let shows = self.tape_mm > OPEN * tape_mm && sigmas.is_none_or(most);
         let of = self.photos.iter().filter_map(|id| photos?.get(*id));
         let names: Vec<String> = of.map(|photo| photo.name.clone()).collect();

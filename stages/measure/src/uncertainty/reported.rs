@@ -192,14 +192,7 @@ fn reported(
 
 /// How far an interval reaches by all that lengthens and shortens a tape alike. \[mm\]
 fn reach(sigmas: &Sigmas) -> f64 {
-    let both = [
-        sigmas.level_mm,
-        sigmas.surface_mm,
-        sigmas.scale_mm,
-        sigmas.split_mm,
-    ];
-    let square: f64 = both.iter().flatten().map(|mm| mm * mm).sum();
-    NINE_IN_TEN * square.sqrt()
+    NINE_IN_TEN * sigmas.variance().sqrt()
 }
 
 /// What the user should know of a section, and of what is worn there if that matters. \[mm\]
