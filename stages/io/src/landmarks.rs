@@ -55,6 +55,7 @@ pub fn landmarks_to_json(landmarks: &Landmarks) -> String {
                 (key("level")): some(l.sigma.level_mm),
                 "tilt_deg": l.sigma.tilt_rad.map(f64::to_degrees),
                 (key("repeat")): some(l.sigma.repeat_mm),
+                (key("hidden")): some(l.sigma.hidden_mm),
             },
         })
     };

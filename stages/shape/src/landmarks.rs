@@ -57,6 +57,9 @@ pub struct PlaneSigma {
     pub tilt_rad: Option<f64>,
     /// Along the normal, when the same person is measured again. \[mm\]
     pub repeat_mm: Option<f64>,
+    /// How much longer the girth may be than in this plane, for more of the limb is hidden than matters: of a thigh, if it grows
+    /// from here to the expected crotch as it does as far down. \[mm\]
+    pub hidden_mm: Option<f64>,
 }
 
 /// Where one girth is taken.
@@ -133,7 +136,7 @@ pub struct Landmarks {
 
 impl Artifact for Landmarks {
     const KIND: &'static str = "landmarks";
-    const FORMAT: u32 = 5;
+    const FORMAT: u32 = 6;
 
     fn pack(&self, to: &mut Packer) {
         let heights = (self.stature_mm, self.stature_sigma_mm, self.ground_mm);

@@ -53,6 +53,8 @@ struct FileSigma {
     tilt_deg: Option<f64>,
     repeat_mm: Option<f64>,
     repeat_rel: Option<f64>,
+    hidden_mm: Option<f64>,
+    hidden_rel: Option<f64>,
 }
 
 impl FileSigma {
@@ -65,8 +67,15 @@ impl FileSigma {
             level_mm: either(self.level_mm, self.level_rel),
             tilt_rad: self.tilt_deg.map(f64::to_radians),
             repeat_mm: either(self.repeat_mm, self.repeat_rel),
+            hidden_mm: either(self.hidden_mm, self.hidden_rel),
         };
-        let all = [sigma.level_mm, sigma.tilt_rad, sigma.repeat_mm];
+        let PlaneSigma {
+            level_mm,
+            tilt_rad,
+            repeat_mm,
+            hidden_mm,
+        } = sigma;
+        let all = [level_mm, tilt_rad, repeat_mm, hidden_mm];
         match all.iter().flatten().all(|s| *s >= 0.0) {
             true => Ok(sigma),
             false => Err("a standard deviation is below 0"),
@@ -76,7 +85,7 @@ impl FileSigma {
 
 impl Stage for ImportLandmarks {
     const NAME: &'static str = "measure.import_landmarks";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Takes planes to measure at from a landmarks.json.";
     type Params = ();
     type Input = LandmarksFileInput;

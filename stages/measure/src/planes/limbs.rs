@@ -38,7 +38,7 @@ fn sure(level: f64) -> PlaneSigma {
     PlaneSigma {
         level_mm: Some(level),
         tilt_rad: Some(TILT),
-        repeat_mm: None,
+        ..PlaneSigma::default()
     }
 }
 
@@ -170,7 +170,16 @@ pub(crate) fn thigh(
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .ok_or(Refusal::NoSection)?;
     // The lower the legs part, or a web between them begins, the farther above may be what they hide.
-    unseen(body, &found, fullest, top.min(web - body.ground))
+    let ((plane, sigma), hidden) = unseen(body, &found, fullest, top.min(web - body.ground))?;
+    let longer = hidden.filter(Hidden::by_a_web).map(|h| {
+        let way = h.above * body.stature;
+        growth(&found, fullest, way) * way
+    });
+    let sigma = PlaneSigma {
+        hidden_mm: longer,
+        ..sigma
+    };
+    Ok(((plane, sigma), hidden))
 }
 
 /// Thighs that are one on the surface, parted between their folds: where the half of a ring is last a leg's, below the crotch

@@ -103,6 +103,7 @@ pub(crate) fn across_neck(
             level_mm: Some(off),
             tilt_rad: Some(level.tilt),
             repeat_mm: level.repeat.map(|r| r * f.diameter_mm()),
+            hidden_mm: None,
         };
         let neck = Landmark::new(GirthId::Neck, at.plane, Part::Head);
         Ok((Landmark { sigma, ..neck }, level.inside))

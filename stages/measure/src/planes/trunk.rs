@@ -74,6 +74,7 @@ impl<'a> Trunk<'a> {
                 level_mm: Some(reported.sigma_mm),
                 tilt_rad: None,
                 repeat_mm: reported.repeat_mm,
+                hidden_mm: None,
             },
         })
     }
@@ -123,6 +124,7 @@ fn shown(body: &Body, model: &LevelModel) -> PlaneSigma {
         level_mm: read.map(|r| r.0),
         tilt_rad: None,
         repeat_mm: read.and_then(|r| r.1),
+        hidden_mm: None,
     }
 }
 

@@ -68,7 +68,7 @@ impl Sure<'_> {
             scale_mm: self.scale(tape),
             ..girth.sigmas
         };
-        let interval_mm = reported(tape, tape, &sigmas, self.widest)?;
+        let interval_mm = reported(tape, tape, &sigmas, (0.0, self.widest))?;
         Ok(Girth {
             sigmas,
             interval_mm,
@@ -121,7 +121,8 @@ impl Sure<'_> {
         if let Some(mm) = worn {
             sigmas.cover_mm = Some(libm::hypot(mm, sigmas.cover_mm.unwrap_or(0.0)));
         }
-        let interval_mm = reported(tape_mm, mean, &sigmas, self.widest)?;
+        let hidden = landmark.sigma.hidden_mm.unwrap_or(0.0);
+        let interval_mm = reported(tape_mm, mean, &sigmas, (hidden, self.widest))?;
         let again = level
             .again
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
@@ -173,12 +174,13 @@ fn round(
 }
 
 /// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
-/// is what mesh and outlines tell together. \[mm\]
+/// is what mesh and outlines tell together. What is hidden may be longer by so much, which makes no tape a worse one of what
+/// shows. \[mm\]
 fn reported(
     tape: f64,
     mean: f64,
     sigmas: &Sigmas,
-    widest: f64,
+    (hidden, widest): (f64, f64),
 ) -> Result<Option<[f64; 2]>, Refusal> {
     if !sigmas.unknown().is_empty() {
         return Ok(None);
@@ -186,7 +188,7 @@ fn reported(
     let ends = interval(tape, mean, reach(sigmas), sigmas.cover_mm.unwrap_or(0.0));
     match too_wide(tape, ends, widest) {
         true => Err(Refusal::TooUncertain),
-        false => Ok(Some(ends)),
+        false => Ok(Some([ends[0], ends[1] + hidden])),
     }
 }
 
@@ -260,20 +262,22 @@ mod tests {
             ..Sigmas::EXACT
         };
         assert_eq!(
-            reported(900.0, 900.0, &known, 0.25),
+            reported(900.0, 900.0, &known, (0.0, 0.25)),
             Ok(Some([900.0, 900.0]))
         );
         let level = Sigmas {
             level_mm: None,
             ..Sigmas::EXACT
         };
-        assert_eq!(reported(900.0, 900.0, &level, 0.25), Ok(None));
+        assert_eq!(reported(900.0, 900.0, &level, (0.0, 0.25)), Ok(None));
+        let hidden = reported(900.0, 900.0, &Sigmas::EXACT, (300.0, 0.25));
+        assert_eq!(hidden, Ok(Some([900.0, 1200.0])));
         let wide = Sigmas {
             level_mm: Some(150.0),
             ..Sigmas::EXACT
         };
         assert_eq!(
-            reported(900.0, 900.0, &wide, 0.25),
+            reported(900.0, 900.0, &wide, (0.0, 0.25)),
             Err(Refusal::TooUncertain)
         );
         let [low, high] = reported(
@@ -284,7 +288,7 @@ mod tests {
                 surface_mm: Some(4.0),
                 ..Sigmas::EXACT
             },
-            0.25,
+            (0.0, 0.25),
         )
         .unwrap()
         .unwrap();

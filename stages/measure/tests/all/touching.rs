@@ -112,6 +112,24 @@ fn thighs_that_touch_to_the_knee_or_the_calf_are_parted_or_cost_the_thighs_alone
 }
 
 #[test]
+fn thighs_measured_below_a_web_have_intervals_that_hold_the_thigh_without_it() {
+    let free = measured(meshed(&built(TALL, 1.0, 30.0), 10.0), false);
+    let mut hidden = 0;
+    for down_to in [760.0, 670.0] {
+        let girths = measured(meshed(&touching(1.0, down_to), 10.0), false);
+        for name in ["TC_L", "TC_R"] {
+            let own = free.get(name).unwrap().tape_mm;
+            let girth = girths.get(name).unwrap();
+            let [low, high] = girth.interval_mm.unwrap();
+            assert!((low..=high).contains(&own), "{own}: {low} {high}");
+            let (up, down) = (high - girth.tape_mm, girth.tape_mm - low);
+            hidden += usize::from(up > 1.5 * down);
+        }
+    }
+    assert!(hidden > 0);
+}
+
+#[test]
 fn a_lost_leg_costs_the_legs_alone() {
     let whole = meshed(&built(TALL, 1.0, 30.0), 10.0);
     let mut one = whole.clone();
