@@ -96,6 +96,10 @@ impl Stage for Measure {
     type Input = GirthInput;
     type Output = Girths;
 
+    fn memory(_: &GirthParams, input: &GirthInput) -> u64 {
+        (input.photos.as_deref().filter(|_| input.masks.is_some())).map_or(0, Edges::memory)
+    }
+
     fn run(p: &GirthParams, input: GirthInput, ctx: &Ctx<'_>) -> Result<Girths, Stop> {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
         let mut body = Body::of(mesh, (*input.features).clone());

@@ -18,6 +18,8 @@ stage::messages! {
 pub(crate) const OPEN: f64 = 0.012;
 /// Photos are asked at a size of so many pixels at most, the one at which masks are first cut (structural). \[px\]
 const LONGEST: usize = 800;
+/// Of a pixel: its colours as they are decoded, and as they are (structural: what the buffers hold). \[bytes\]
+const PHOTO_PIXEL: u64 = 6;
 /// Pixels so near to the outline on either side, and no nearer, show one side each (structural: labels are no finer, and their border is mixed). \[px\]
 const BESIDE: [f32; 2] = [1.0, 3.0];
 /// How far along the outline they are taken together (structural: samples). \[px\]
@@ -68,19 +70,26 @@ impl Unseen {
 }
 
 impl Edges {
+    /// What finding them takes: a photo a thread. \[bytes\]
+    pub(crate) fn memory(photos: &Photos) -> u64 {
+        photos.most_pixels() * PHOTO_PIXEL * rayon::current_num_threads() as u64
+    }
+
     /// Of the photos whose sizes masks have. \[mm\]
     pub(crate) fn of(cameras: &Cameras, masks: &Masks, photos: &Photos, stature: f64) -> Edges {
         let pairs: Vec<_> = cameras.views.join(&masks.views).collect();
         let one = |(id, view, mask): &(PhotoId, &View, &Mask)| {
-            let photo = photos.get(*id)?.decode().ok()?;
-            let fits = [photo.width, photo.height] == [mask.width, mask.height];
-            fits.then(|| {
-                let by = photo.width.max(photo.height).div_ceil(LONGEST).max(1);
-                let mask = mask.map(|v| f32::from(*v)).reduced(by);
-                let mask = mask.map(|v| v.round() as u8);
-                let camera = view.camera.resized(mask.width as u32, mask.height as u32);
-                (*id, camera, places(&photo.reduced(by), &mask))
-            })
+            let photo = photos.get(*id)?;
+            let (width, height) = (mask.width as u32, mask.height as u32);
+            if [photo.width, photo.height] != [width, height] {
+                return None;
+            }
+            let by = mask.width.max(mask.height).div_ceil(LONGEST).max(1);
+            let photo = photo.decode().ok()?.reduced(by);
+            let mask = mask.map(|v| f32::from(*v)).reduced(by);
+            let mask = mask.map(|v| v.round() as u8);
+            let camera = view.camera.resized(mask.width as u32, mask.height as u32);
+            Some((*id, camera, places(&photo, &mask)))
         };
         Edges {
             views: pairs.par_iter().filter_map(one).collect(),
