@@ -43,8 +43,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use story::{Act, Setup, Story, Use, What};
 
-/// How many stories, by default: `.ci/run` plays four times as many.
-const USUAL_STORIES: u64 = 2_500;
+/// How many stories, by default: `.ci/run` plays ten times as many.
+const USUAL_STORIES: u64 = 1_000;
 
 fn number(name: &str) -> Option<u64> {
     std::env::var(name)
