@@ -43,7 +43,7 @@ pub struct PhotoEvidence {
     pub photo: Rgb,
     /// -ln p(pixel | background), up to a constant that is the same for all pixels. \[nats\]
     pub background: Vec<f32>,
-    /// By how much the disk's grain speaks against the bare disk; empty where nobody asked. \[nats\]
+    /// By how much the grain of the disk, or of the floor, speaks against either without the body; empty where nobody asked. \[nats\]
     pub against_disk: Vec<f32>,
     /// Log-odds of the body by a learned sense of a person; empty where the photos show none, or nobody asked. \[nats\]
     pub person: Vec<f32>,

@@ -18,7 +18,7 @@ pub struct Prepared {
     pub small: Rgb,
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
-    /// What it costs more to call each pixel the bare disk, by its grain; empty where nobody asked.
+    /// What it costs more to call each pixel the bare disk or floor, by its grain; empty where nobody asked.
     pub strange: Vec<f32>,
     /// Log-odds of the body by a person's sense; empty where there is none.
     pub person: Vec<f32>,

@@ -43,8 +43,8 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 7;
-    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of the disk, and what cannot be body.";
+    const VERSION: u32 = 8;
+    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of disk and floor, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
     type Output = Evidence;

@@ -1,65 +1,80 @@
-//! The grain of the disk in one photo, where the scene behind it is known at full size.
+//! The grain of the disk, and of the floor around it, in one photo, where the scene behind it is known at full size.
 //!
-//! How much of the bare disk is usually left is learned from the photo itself: more where the map is
+//! How much of the bare ground is usually left is learned from the photo itself: more where the map is
 //! rough, for no map fits a photo quite exactly, nor is it as sharp.
 
 use super::window::Laid;
 use super::{LEAST, has, unlikely};
-use crate::cut::least_cut::Known;
 use crate::likelihood::background::{CAP, FLAT};
-use crate::likelihood::body::EVIDENT;
+use crate::likelihood::body::evident;
 use crate::likelihood::disk_colors::mixture;
 use crate::likelihood::gmm::Gmm;
+use crate::likelihood::grounds::{Ground, Grounds};
 use crate::likelihood::prepared::{Prepared, UNSEEN};
+use crate::scene::backdrop::thinned;
 use crate::scene::disk_map::RIM;
 use crate::scene::disk_plane::on_disk;
 use nalgebra::Point2;
 use shape::Rgb;
 
-/// What costs so little more than the least as the disk may be it.
+/// What costs so little more than the least as the ground may be it.
 const BARE: f32 = 3.0;
 /// Classes of places, from smooth to rough, of equal size (structural: samples).
 const CLASSES: usize = 12;
 /// Fewer bare places of a class give no median (structural: samples).
 const FEW: usize = 40;
 
-/// Raises what pixels cost as the disk where they lack its grain, and keeps by how much. `without` is what
-/// the photo would show without the subject, at full size.
+/// Raises what pixels cost as the disk or the floor where they lack its grain, and keeps by how much: shadows are deep
+/// there, so light and hue tell little. `without` is what the photo would show without the subject, at full size.
 pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
-    let places = places(ready, without);
-    let usual = Usual::of(places.iter().flatten());
-    let body = evident(ready, &places);
-    let strange = |(place, color): (&Option<Place>, &[u8; 3])| {
-        let times = place.and_then(|p| Some(p.left / usual.at(p.rough)?));
-        let strange = times.map_or(0.0, |times| unlikely(times).min(CAP));
-        if strange > 0.0 && has(body.as_ref(), *color) {
-            strange
-        } else {
-            0.0
+    let map = without.reduced(ready.factor);
+    let [disk, floor] = [disk(ready, &map), floor(ready, &map)];
+    let body = colors_above(ready, &disk);
+    ready.strange = vec![0.0; ready.cost.len()];
+    for places in [disk, floor] {
+        let usual = Usual::of(places.iter().flatten());
+        for (i, place) in places.iter().enumerate() {
+            let times = place.and_then(|p| Some(p.left / usual.at(p.rough)?));
+            let strange = times.map_or(0.0, |times| unlikely(times).min(CAP));
+            if strange > 0.0 && has(body.as_ref(), ready.small.data[i]) {
+                ready.strange[i] = strange;
+                ready.raise(i, strange);
+            }
         }
-    };
-    ready.strange = places.iter().zip(&ready.small.data).map(strange).collect();
-    for i in 0..ready.strange.len() {
-        ready.raise(i, ready.strange[i]);
     }
 }
 
 /// What of the reduced photo may show the disk, if there is one.
-fn places(ready: &Prepared, without: &Rgb) -> Vec<Option<Place>> {
+fn disk(ready: &Prepared, map: &Rgb) -> Vec<Option<Place>> {
     let Some(floor) = ready.floor.filter(|floor| floor.is_disk) else {
         return Vec::new();
     };
-    let width = ready.small.width;
-    let shows = |i: usize| {
-        let (x, y) = (i % width, i / width);
-        let hit = on_disk(
-            &floor.camera,
-            Point2::new(x as f64, y as f64),
-            floor.touched * RIM,
-        );
-        hit.is_some() && ready.cost[i] != UNSEEN
+    let (camera, radius) = (&floor.camera, floor.touched * RIM);
+    places(ready, map, |x, y| {
+        on_disk(camera, Point2::new(x as f64, y as f64), radius).is_some()
+    })
+}
+
+/// What of the reduced photo may show the floor, if it is known where that is, but for pixels along the outline of what
+/// evidently is body: they are mixtures of both.
+fn floor(ready: &Prepared, map: &Rgb) -> Vec<Option<Place>> {
+    let Some(floor) = &ready.floor else {
+        return Vec::new();
     };
-    let laid = Laid::new(&ready.small, &without.reduced(ready.factor), shows);
+    let size = [ready.small.width, ready.small.height];
+    let grounds = Grounds::of(Some(floor), 1, size[0], size[1]);
+    let off = evident(&ready.cost, &ready.known, size).map(|body| !body);
+    let clear = thinned(&off, 1);
+    places(ready, map, |x, y| {
+        grounds.at(x, y) == Ground::Floor && clear.at(x, y)
+    })
+}
+
+/// What of the reduced photo may show a ground that is at some pixels.
+fn places(ready: &Prepared, map: &Rgb, on: impl Fn(usize, usize) -> bool) -> Vec<Option<Place>> {
+    let width = ready.small.width;
+    let shows = |i: usize| on(i % width, i / width) && ready.cost[i] != UNSEEN;
+    let laid = Laid::new(&ready.small, map, shows);
     let place = |(i, left): (usize, f32)| {
         (left < f32::MAX).then(|| Place {
             left,
@@ -72,26 +87,30 @@ fn places(ready: &Prepared, without: &Rgb) -> Vec<Option<Place>> {
 }
 
 /// The colours of what is evidently not the scene behind, above the disk: there a shadow may look evident.
-fn evident(ready: &Prepared, places: &[Option<Place>]) -> Option<Gmm> {
-    let off = |i: &usize| ready.cost[*i] > EVIDENT && ready.known[*i] == Known::Unknown;
+fn colors_above(ready: &Prepared, places: &[Option<Place>]) -> Option<Gmm> {
+    let off = evident(
+        &ready.cost,
+        &ready.known,
+        [ready.small.width, ready.small.height],
+    );
     let above = |i: &usize| places.get(*i).is_none_or(Option::is_none);
-    let some = (0..ready.cost.len()).filter(|i| off(i) && above(i));
+    let some = (0..ready.cost.len()).filter(|i| off.data[*i] && above(i));
     let colors: Vec<[u8; 3]> = some.step_by(7).map(|i| ready.small.data[i]).collect();
     mixture(&colors)
 }
 
-/// A place of a photo that may show the disk.
+/// A place of a photo that may show a ground.
 #[derive(Clone, Copy)]
 struct Place {
     /// What the best light leaves. \[levels²\]
     left: f32,
     /// How rough the map is there. \[levels²\]
     rough: f32,
-    /// Whether it would do as the disk by its colour.
+    /// Whether it would do as the ground by its colour.
     bare: bool,
 }
 
-/// What is usually left of the bare disk, by how rough its map is.
+/// What is usually left of a bare ground, by how rough its map is.
 struct Usual {
     /// Upper ends of classes, and the median of what is left in each. \[levels²\]
     classes: Vec<(f32, f32)>,
@@ -114,7 +133,7 @@ impl Usual {
         }
     }
 
-    /// Where the map is so rough. `None` where too little of the disk is bare.
+    /// Where the map is so rough. `None` where too little of it is bare.
     fn at(&self, rough: f32) -> Option<f32> {
         let class = self.classes.partition_point(|(end, _)| *end < rough);
         let class = self.classes.get(class).or(self.classes.last())?;

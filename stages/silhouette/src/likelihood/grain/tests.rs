@@ -221,3 +221,46 @@ fn with_a_plate_one_photo_shows_feet_from_wood_of_their_colour() {
         "{raised} of {shaded}"
     );
 }
+
+#[test]
+fn trousers_of_the_floors_colour_lack_its_grain_and_the_bare_floor_does_not() {
+    let mut dice = proof::Dice(7);
+    let floor = wall(&mut dice);
+    let (mut legs, mut cheap, mut found, mut bare, mut raised) = (0, 0, 0, 0, 0);
+    for k in 0..PHOTOS {
+        let (mut shot, shows) = photo(k, true, &floor, &mut dice);
+        for (p, _) in shot
+            .small
+            .data
+            .iter_mut()
+            .zip(&shows)
+            .filter(|(_, s)| **s == Shown::Leg)
+        {
+            *p = [81.0, 85.0, 92.0].map(|v: f64| (v + dice.within(-4.0, 4.0)).round() as u8);
+        }
+        let (plate, _) = photo(k, false, &floor, &mut dice);
+        let disk = Some(Floor::of_disk(shot.camera, RADIUS));
+        let behind = Backdrop::whole(plate.small);
+        let before = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
+        let mut after = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
+        missed_in_photo(&mut after, &behind.image);
+        for (i, shown) in shows.iter().enumerate() {
+            let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
+            match (shown, on_disk(&shot.camera, at, 1.05 * RADIUS)) {
+                (Shown::Leg, None) => {
+                    legs += 1;
+                    cheap += u32::from(before.cost[i] < FLAT + 4.0);
+                    found += u32::from(after.cost[i] > FLAT + 4.0);
+                }
+                (Shown::Wall, None) => {
+                    bare += 1;
+                    raised += u32::from(after.strange[i] > 0.0);
+                }
+                _ => {}
+            }
+        }
+    }
+    assert!(legs > 1000 && cheap * 4 > legs, "{cheap} of {legs}");
+    assert!(found * 10 > legs * 9, "{found} of {legs}");
+    assert!(bare > 1000 && raised * 25 < bare, "{raised} of {bare}");
+}

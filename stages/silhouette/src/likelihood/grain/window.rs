@@ -1,4 +1,4 @@
-//! What small windows of a photo leave of the disk that is expected there, at the best light.
+//! What small windows of a photo leave of the ground that is expected there, at the best light.
 
 use crate::likelihood::background::slack;
 use nalgebra::{Matrix3, Vector3};
@@ -6,16 +6,16 @@ use shape::{Image, Rgb};
 
 /// Half the side of the window in which the light is a plane (structural: samples). \[px of the reduced photo\]
 const REACH: usize = 3;
-/// Least share of a window that must be on the disk.
+/// Least share of a window that must be on the ground.
 const ON_IT: f32 = 0.5;
 
-/// A photo on what the disk would show there, where that is known.
+/// A photo on what the ground would show there, where that is known.
 pub(super) struct Laid {
     width: usize,
     pixels: Vec<Option<Pixel>>,
 }
 
-/// What a pixel shows, and what the map has of the disk.
+/// What a pixel shows, and what the map has of the ground.
 struct Pixel {
     shown: [f32; 3],
     map: [f32; 3],
@@ -59,9 +59,9 @@ impl Laid {
         }
     }
 
-    /// What is left of each pixel that the disk may show, at the best light of the window that explains it
+    /// What is left of each pixel that the ground may show, at the best light of the window that explains it
     /// best: the mean square of the window or the pixel's own square, whichever is more, all channels
-    /// together. \[levels²\] Infinite where no window is on the disk far enough.
+    /// together. \[levels²\] Infinite where no window is on the ground far enough.
     pub(super) fn left_over(&self) -> Image<f32> {
         let mut least = vec![f32::MAX; self.pixels.len()];
         let (mut window, mut left) = (vec![], vec![]);
@@ -91,7 +91,7 @@ impl Laid {
         sum / window.len().max(1) as f32
     }
 
-    /// The pixels of the window around a pixel that are on the disk, row by row.
+    /// The pixels of the window around a pixel that are on the ground, row by row.
     fn window<'a>(&'a self, i: usize, into: &mut Vec<(usize, &'a Pixel)>) {
         let (x, y) = (i % self.width, i / self.width);
         let height = self.pixels.len() / self.width;
@@ -104,7 +104,7 @@ impl Laid {
     }
 
     /// The squares that the best plane of light leaves of a window around a pixel. \[levels²\] False where
-    /// too little of it is on the disk.
+    /// too little of it is on the ground.
     fn explained(&self, i: usize, window: &[(usize, &Pixel)], left: &mut Vec<f32>) -> bool {
         let side = (2 * REACH + 1) as f32;
         if (window.len() as f32) < ON_IT * side * side {
