@@ -69,16 +69,30 @@ impl FileSigma {
             repeat_mm: either(self.repeat_mm, self.repeat_rel),
             hidden_mm: either(self.hidden_mm, self.hidden_rel),
         };
-        let PlaneSigma {
-            level_mm,
-            tilt_rad,
-            repeat_mm,
-            hidden_mm,
-        } = sigma;
-        let all = [level_mm, tilt_rad, repeat_mm, hidden_mm];
-        match all.iter().flatten().all(|s| *s >= 0.0) {
-            true => Ok(sigma),
-            false => Err("a standard deviation is below 0"),
+        let wrong = [
+            (
+                sigma.level_mm,
+                "`level_mm` or `level_rel` of `sigma` is below 0: give a standard deviation, or leave it out",
+            ),
+            (
+                sigma.tilt_rad,
+                "`tilt_deg` of `sigma` is below 0: give a standard deviation, or leave it out",
+            ),
+            (
+                sigma.repeat_mm,
+                "`repeat_mm` or `repeat_rel` of `sigma` is below 0: give a standard deviation, or leave it out",
+            ),
+            (
+                sigma.hidden_mm,
+                "`hidden_mm` or `hidden_rel` of `sigma` is below 0: give how much longer the girth may be, or leave it out",
+            ),
+        ];
+        match wrong
+            .iter()
+            .find(|(given, _)| given.is_some_and(|x| x < 0.0))
+        {
+            None => Ok(sigma),
+            Some((_, why)) => Err(why),
         }
     }
 }

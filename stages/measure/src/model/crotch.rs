@@ -42,11 +42,13 @@ pub(crate) struct Hidden {
     pub(crate) above: f64,
     /// Root mean square of how far the thigh's fullest is above what shows.
     pub(crate) rms: f64,
+    /// How much its tape grows upward, as far below what shows as the expected crotch is above it. \[mm a mm\]
+    pub(crate) growth: f64,
 }
 
 impl Hidden {
-    /// Of a body whose buttocks are so high and whose legs join so high.
-    pub(crate) fn of(buttock: f64, join: f64) -> Hidden {
+    /// Of a body whose buttocks are so high, whose legs join so high and whose thigh's tape grows so much over a way.
+    pub(crate) fn of(buttock: f64, join: f64, growth: impl Fn(f64) -> f64) -> Hidden {
         let above = crotch(buttock) - join;
         let z = above / SIGMA;
         let density = libm::exp(-0.5 * z * z) / std::f64::consts::TAU.sqrt();
@@ -55,6 +57,7 @@ impl Hidden {
         Hidden {
             above,
             rms: FULLEST * square.max(0.0).sqrt(),
+            growth: growth(above),
         }
     }
 
@@ -64,9 +67,9 @@ impl Hidden {
     }
 
     /// Whether more of a thigh is hidden, nine times in ten at most, than a survey allows two tapes to differ by: of a body of
-    /// such a stature, on a thigh whose tape grows so much upward, mm a mm, below where the legs join.
-    pub(crate) fn matters(&self, stature: f64, growth: f64) -> bool {
-        self.above > 0.0 && NINE_IN_TEN * self.rms * stature * growth > ALLOWED_MM
+    /// such a stature. \[mm\]
+    pub(crate) fn matters(&self, stature: f64) -> bool {
+        self.above > 0.0 && NINE_IN_TEN * self.rms * stature * self.growth > ALLOWED_MM
     }
 }
 
@@ -123,13 +126,15 @@ mod tests {
 
     #[test]
     fn what_is_hidden_grows_from_little_to_the_whole_gap() {
-        let at = |join: f64| Hidden::of(0.5, join);
+        let growing = |join: f64, growth: f64| Hidden::of(0.5, join, |_| growth);
+        let at = |join: f64| growing(join, 1.0);
         let crotch = CROTCH[0] + 0.5 * CROTCH[1];
-        assert!(at(crotch + 0.03).rms < 1e-3 && !at(crotch + 0.03).matters(1750.0, 1.0));
+        assert!(at(crotch + 0.03).rms < 1e-3 && !at(crotch + 0.03).matters(1750.0));
         proof::near(at(crotch).rms, FULLEST * SIGMA / 2f64.sqrt(), 1e-12);
         let deep = at(crotch - 0.08);
         proof::near(deep.rms, FULLEST * libm::hypot(0.08, SIGMA), 1e-6);
         // 81 thousandths of 1.75 m, of which a fifth counts, at a fifth and at a tenth of a mm a mm.
-        assert!(deep.matters(1750.0, 0.2) && !deep.matters(1750.0, 0.1));
+        let matters = |growth: f64| growing(crotch - 0.08, growth).matters(1750.0);
+        assert!(matters(0.2) && !matters(0.1));
     }
 }

@@ -7,5 +7,6 @@ pub(crate) mod limbs;
 pub(crate) mod neck;
 pub(crate) mod neck_level;
 pub(crate) mod place;
+pub(crate) mod thigh;
 pub(crate) mod trunk;
 pub(crate) mod wanted;

@@ -5,9 +5,10 @@ use crate::features::limb::Limbs;
 use crate::features::neck::neck_features;
 use crate::model::law::Law;
 use crate::model::level::Level;
-use crate::planes::limbs::{ONE, calf, thigh, touching, upper_arm};
+use crate::planes::limbs::{calf, upper_arm};
 use crate::planes::neck::{is_groove, plane_at, tilted};
 use crate::planes::neck_level::neck_level;
+use crate::planes::thigh::{ONE, thigh, touching};
 use crate::planes::trunk::{Placed, Trunk, hip_plane, longest_hip_plane, unlike};
 use crate::planes::wanted::Waist;
 use shape::{GirthId, Landmark, Landmarks, Mesh, Missing, Part, Plane, PlaneSigma, Refusal, Side};
@@ -15,7 +16,7 @@ use stage::{Message, message};
 
 stage::messages! {
     NECK_UNLIKE = "warn-neck-unlike": "this neck is unlike those that its level was fitted on, so its interval is wider: is the head straight, and the neck bare?";
-    THIGHS_LOW = "warn-thighs-low": "the legs join on the surface {far} below the crotch that stature and hip suggest, so the thighs are measured lower than they may be fullest, and their intervals are wider: place the feet farther apart";
+    THIGHS_LOW = "warn-thighs-low": "the legs join on the surface {far} below the crotch that stature and hip suggest, so the thighs are measured lower than they may be fullest, and their intervals reach up: place the feet farther apart";
 }
 
 /// Hip, waists and chest; the waist of the user's choice is called WC, the other definitions are
