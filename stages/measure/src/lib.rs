@@ -59,6 +59,7 @@ pub use planes::joints::arm_joints;
 pub use planes::limbs::{parts, share};
 pub use planes::neck::{NeckPlane, is_groove, plane_at};
 pub use planes::neck_level::{NeckLevel, neck_level};
+pub use planes::thigh::thigh_seen;
 pub use planes::wanted::{Waist, Wanted};
 pub use sections::one::{SectionMeasurement, Why};
 pub use sections::picked::{BadPoints, picked};

@@ -57,8 +57,8 @@ pub struct PlaneSigma {
     pub tilt_rad: Option<f64>,
     /// Along the normal, when the same person is measured again. \[mm\]
     pub repeat_mm: Option<f64>,
-    /// How much longer the girth may be than in this plane, for more of the limb is hidden than matters: of a thigh, if it grows
-    /// from here to the expected crotch as it does as far down. \[mm\]
+    /// How much longer the girth is than in this plane at most, nineteen times in twenty, for a part of the limb is hidden: of a thigh, between where
+    /// legs join on the surface and the crotch. \[mm\]
     pub hidden_mm: Option<f64>,
 }
 

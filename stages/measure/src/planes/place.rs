@@ -8,7 +8,7 @@ use crate::model::level::Level;
 use crate::planes::limbs::{calf, upper_arm};
 use crate::planes::neck::{is_groove, plane_at, tilted};
 use crate::planes::neck_level::neck_level;
-use crate::planes::thigh::{ONE, thigh, touching};
+use crate::planes::thigh::{Shown, unseen};
 use crate::planes::trunk::{Placed, Trunk, hip_plane, longest_hip_plane, unlike};
 use crate::planes::wanted::Waist;
 use shape::{GirthId, Landmark, Landmarks, Mesh, Missing, Part, Plane, PlaneSigma, Refusal, Side};
@@ -153,15 +153,10 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
 /// Thigh and calf of both legs; a warning if so much of a thigh's upper end may be hidden that it matters.
 pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Option<Message> {
     let mut hidden = 0.0f64;
-    let one = |z: f64| z < body.ground + ONE * body.stature;
     for side in Side::BOTH {
         let (part, sign) = (Part::leg(side), side.sign());
         let mut parted = || {
-            let (placed, above) = match body.legs_join {
-                None => Err(Refusal::NoLegs),
-                Some(z) if one(z) => touching(body, sign),
-                Some(_) => thigh(limbs, body, sign),
-            }?;
+            let (placed, above) = unseen(body, &Shown::of(limbs, body, sign)?)?;
             if let Some(above) = above {
                 hidden = hidden.max(above.above * body.stature);
             }

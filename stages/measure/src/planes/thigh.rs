@@ -1,18 +1,18 @@
 //! Planes across thighs, and what of a thigh may be hidden where legs join low on the surface.
 
 use crate::features::body::Body;
-use crate::features::limb::{Limbs, Segment};
+use crate::features::limb::{Limbs, Segment, limbs};
 use crate::features::marks::hip;
 use crate::geometry::halves::{half, webbed};
 use crate::geometry::slices::Slice;
 use crate::model::crotch::{Hidden, crotch};
 use crate::planes::limbs::{Across, EXTREME, Placed, UPRIGHT, holds_other, sure};
 use nalgebra::Vector3;
-use shape::{Plane, PlaneSigma, Refusal};
+use shape::{BodyFeatures, Mesh, Plane, PlaneSigma, Refusal, Side};
 
 /// A crotch lower than this share of stature is none: the thighs are one on the surface below it, by
 /// nearly 0.1 of stature under the crotch that people have (0.481 ± 0.015 of 6068, ANSUR II).
-pub(crate) const ONE: f64 = 0.385;
+const ONE: f64 = 0.385;
 /// The thigh is looked for above this share of the crotch's height.
 const THIGH: f64 = 0.8;
 /// So far below where the legs join, as a share of stature, the fold between them is no part of a thigh.
@@ -23,13 +23,29 @@ const JUMP: f64 = 1.15;
 
 /// A web begins a little lower than it shows, as a share of stature.
 const CLEAR_OF_WEB: f64 = 0.0025;
-/// A thigh where it is fullest below the crotch (ISO 8559-1 5.3.20): level, or square to a leg that leans; and what of it
-/// may be hidden, if that is more than a survey allows.
-pub(crate) fn thigh(
-    limbs: &Limbs<'_>,
-    body: &Body,
-    side: f64,
-) -> Result<(Placed, Option<Hidden>), Refusal> {
+
+/// Planes of a thigh and tapes in them, as far up as they are its own.
+pub(crate) struct Shown {
+    /// From low to high. \[mm\]
+    found: Vec<(Plane, f64)>,
+    fullest: (Plane, f64),
+    /// How far above the ground legs join, or a web between them begins; none where they touch and folds part them. \[mm\]
+    clear: Option<f64>,
+}
+
+impl Shown {
+    /// Of a side.
+    pub(crate) fn of(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
+        let join = body.legs_join.ok_or(Refusal::NoLegs)? - body.ground;
+        match join < ONE * body.stature {
+            true => touching(body, side),
+            false => thigh(limbs, body, side),
+        }
+    }
+}
+
+/// A thigh where it is fullest below the crotch (ISO 8559-1 5.3.20): level, or square to a leg that leans.
+fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
     let leg = limbs.leg(side)?;
     let down = -leg.axis(Segment::Thigh).ok_or(Refusal::NoLimb)?.along;
     let upright = -down.z > UPRIGHT;
@@ -83,7 +99,7 @@ pub(crate) fn thigh(
         let z = f.0.point_mm[2];
         way <= highest && z >= body.ground + THIGH * top && z < web - CLEAR_OF_WEB * body.stature
     };
-    let fullest = found
+    let fullest = *found
         .iter()
         .zip(&ways)
         .filter(|(f, way)| among(f, **way))
@@ -91,19 +107,16 @@ pub(crate) fn thigh(
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .ok_or(Refusal::NoSection)?;
     // The lower the legs part, or a web between them begins, the farther above may be what they hide.
-    let ((plane, sigma), hidden) = unseen(body, &found, fullest, top.min(web - body.ground))?;
-    let by_a_web = hidden.filter(Hidden::by_a_web);
-    let longer = by_a_web.map(|h| h.growth * (h.above * body.stature));
-    let sigma = PlaneSigma {
-        hidden_mm: longer,
-        ..sigma
-    };
-    Ok(((plane, sigma), hidden))
+    Ok(Shown {
+        found,
+        fullest,
+        clear: Some(top.min(web - body.ground)),
+    })
 }
 
 /// Thighs that are one on the surface, parted between their folds: where the half of a ring is last a leg's, below the crotch
 /// that the buttocks suggest.
-pub(crate) fn touching(body: &Body, side: f64) -> Result<(Placed, Option<Hidden>), Refusal> {
+fn touching(body: &Body, side: f64) -> Result<Shown, Refusal> {
     let buttock = hip(body).ok_or(Refusal::ThighsOne)? - body.ground;
     let crotch = crotch(buttock / body.stature) - BELOW;
     let both = |slice: &Slice| {
@@ -116,30 +129,53 @@ pub(crate) fn touching(body: &Body, side: f64) -> Result<(Placed, Option<Hidden>
         one(-side).and(one(side)).map(|tape| (plane, tape))
     };
     let found: Vec<(Plane, f64)> = body.shares((ONE, crotch)).filter_map(both).collect();
-    let highest = found.last().ok_or(Refusal::ThighsOne)?;
-    unseen(body, &found, highest, highest.0.point_mm[2] - body.ground)
+    let fullest = *found.last().ok_or(Refusal::ThighsOne)?;
+    Ok(Shown {
+        clear: None,
+        fullest,
+        found,
+    })
 }
 
-/// The fullest of a thigh's planes as far up as it is clear, how sure it is, and what is hidden above it. \[mm\]
-fn unseen(
-    body: &Body,
-    found: &[(Plane, f64)],
-    fullest: &(Plane, f64),
-    clear: f64,
-) -> Result<(Placed, Option<Hidden>), Refusal> {
-    let buttock = hip(body).ok_or(Refusal::ThighsOne)? - body.ground;
-    let growth = |above: f64| growth(found, fullest, above * body.stature);
-    let hidden = Hidden::of(buttock / body.stature, clear / body.stature, growth);
-    let sigma = libm::hypot(EXTREME, hidden.rms) * body.stature;
-    let matters = hidden.matters(body.stature);
-    Ok(((fullest.0, sure(sigma)), matters.then_some(hidden)))
+/// The fullest of a thigh's planes as far up as it is clear, how sure it is, and what may be hidden above it.
+pub(crate) fn unseen(body: &Body, shown: &Shown) -> Result<(Placed, Option<Hidden>), Refusal> {
+    let (seat, hip) = hip_tape(body).ok_or(Refusal::ThighsOne)?;
+    let (plane, tape) = shown.fullest;
+    let share = |mm: f64| mm / body.stature;
+    let crotch = crotch(share(seat - body.ground));
+    let hidden = shown
+        .clear
+        .map(|clear| Hidden::of(crotch, share(clear), ONE, tape / hip));
+    let sigma = PlaneSigma {
+        hidden_mm: hidden.map(|h| h.most * tape).filter(|mm| *mm > 0.0),
+        ..sure(EXTREME * body.stature)
+    };
+    Ok(((plane, sigma), hidden.filter(|h| h.matters(tape))))
 }
 
-/// How much a tape grows upward over so long a way up to its fullest place. \[mm a mm\]
-fn growth(tapes: &[(Plane, f64)], fullest: &(Plane, f64), way: f64) -> f64 {
-    let down = |f: &(Plane, f64)| fullest.0.point_mm[2] - f.0.point_mm[2];
-    let off = |f: &(Plane, f64)| (down(f) - way).abs();
-    let lower = tapes.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-    let lower = lower.filter(|f| down(f) > 0.0);
-    lower.map_or(0.0, |f| (fullest.1 - f.1) / down(f))
+/// Where the hip is, and the tape around it. \[mm\]
+fn hip_tape(body: &Body) -> Option<(f64, f64)> {
+    let z = hip(body)?;
+    Some((z, body.trunk(z)?.tape))
+}
+
+/// What a table of thighs has of one: how far its upper end is below the expected crotch, the hip's tape, its own where it is fullest, 0.02 below that
+/// and 0.04 below; shares of stature.
+pub fn thigh_seen(mesh: &Mesh, features: &BodyFeatures, side: Side) -> Option<[f64; 5]> {
+    let body = Body::of(mesh, features.clone());
+    let shown = Shown::of(&limbs(mesh, &body), &body, side.sign()).ok()?;
+    let (seat, hip) = hip_tape(&body)?;
+    let (plane, tape) = shown.fullest;
+    let lower = |way: f64| {
+        let z = plane.point_mm[2] - way * body.stature;
+        let off = |f: &&(Plane, f64)| (f.0.point_mm[2] - z).abs();
+        let near = shown
+            .found
+            .iter()
+            .min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        (off(&near) < 0.0025 * body.stature).then_some(near.1)
+    };
+    let above = crotch((seat - body.ground) / body.stature) - shown.clear? / body.stature;
+    let tapes = [hip, tape, lower(0.02)?, lower(0.04)?].map(|mm| mm / body.stature);
+    Some([above, tapes[0], tapes[1], tapes[2], tapes[3]])
 }

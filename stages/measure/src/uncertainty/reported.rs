@@ -174,8 +174,7 @@ fn round(
 }
 
 /// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
-/// is what mesh and outlines tell together. What is hidden may be longer by so much, which makes no tape a worse one of what
-/// shows. \[mm\]
+/// is what mesh and outlines tell together; by `hidden` it may be longer, whatever else is unsure of it. \[mm\]
 fn reported(
     tape: f64,
     mean: f64,
@@ -186,9 +185,10 @@ fn reported(
         return Ok(None);
     }
     let ends = interval(tape, mean, reach(sigmas), sigmas.cover_mm.unwrap_or(0.0));
+    let ends = [ends[0], tape + libm::hypot(ends[1] - tape, hidden)];
     match too_wide(tape, ends, widest) {
         true => Err(Refusal::TooUncertain),
-        false => Ok(Some([ends[0], ends[1] + hidden])),
+        false => Ok(Some(ends)),
     }
 }
 
@@ -270,8 +270,9 @@ mod tests {
             ..Sigmas::EXACT
         };
         assert_eq!(reported(900.0, 900.0, &level, (0.0, 0.25)), Ok(None));
-        let hidden = reported(900.0, 900.0, &Sigmas::EXACT, (300.0, 0.25));
-        assert_eq!(hidden, Ok(Some([900.0, 1200.0])));
+        let hidden = |mm: f64| reported(900.0, 900.0, &Sigmas::EXACT, (mm, 0.25));
+        assert_eq!(hidden(200.0), Ok(Some([900.0, 1100.0])));
+        assert_eq!(hidden(300.0), Err(Refusal::TooUncertain));
         let wide = Sigmas {
             level_mm: Some(150.0),
             ..Sigmas::EXACT

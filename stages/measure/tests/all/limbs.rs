@@ -2,7 +2,7 @@
 
 use crate::made;
 
-use made::{built, measured};
+use made::{Given, built, measured};
 use measure::{LevelModel, Segment, arm_joints, body, limbs, share};
 use nalgebra::{Point3, Vector3};
 use shape::{Girths, Mesh, Refusal, Solid, SolidPart};
@@ -282,7 +282,7 @@ fn legs_under_a_long_skirt_are_none_and_arms_are_found_beside_it() {
 fn thighs_that_touch_give_each_its_own_half() {
     let free = posed(POSES[1]);
     let (mesh, _) = standing(&free, 12.0);
-    let own = measured(mesh).1;
+    let own = Given::of(&mesh).at_any_width();
     let mut solid = free.clone();
     // Pressed together for some centimetres below the crotch.
     solid.parts.push(SolidPart::Ellipsoid {
@@ -290,7 +290,7 @@ fn thighs_that_touch_give_each_its_own_half() {
         half: [34.0, 34.0, 60.0],
     });
     let (mesh, _) = standing(&solid, 12.0);
-    let girths = measured(mesh).1;
+    let girths = Given::of(&mesh).at_any_width();
     for name in ["TC_L", "TC_R"] {
         let [got, own] = [&girths, &own].map(|g| g.get(name).unwrap().tape_mm);
         assert!((got / own - 1.0).abs() < 0.06, "{name}: {got} for {own}");

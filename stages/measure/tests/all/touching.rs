@@ -49,8 +49,8 @@ fn touching(stout: f64, down_to: f64) -> Solid {
 fn measured(mesh: Mesh, firm: bool) -> Girths {
     let cameras = made::cameras(Scale::Mat, Some(0.001), 0.0);
     match firm {
-        true => Given::on(&mesh, cameras).measured().1,
-        false => made::measured(mesh).1,
+        true => Given::on(&mesh, cameras).at_any_width(),
+        false => Given::of(&mesh).at_any_width(),
     }
 }
 

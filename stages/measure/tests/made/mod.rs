@@ -131,6 +131,15 @@ impl Given {
         Measure::run(params, input, &Ctx::new(&self.warned, nothing, nothing)).unwrap()
     }
 
+    /// Its girths, however wide their intervals: thighs of formulas are slenderer for their hips than people's.
+    pub(crate) fn at_any_width(&self) -> Girths {
+        let params = GirthParams {
+            widest_pct: 100.0,
+            ..GirthParams::default()
+        };
+        self.girths(&self.landmarks(), &params)
+    }
+
     /// Landmarks and girths by default.
     pub(crate) fn measured(&self) -> (Landmarks, Girths) {
         let landmarks = self.landmarks();

@@ -1,0 +1,68 @@
+//! Tapes of made bodies' thighs, as the table by which a thigh that is hidden where legs join is bounded.
+//!
+//! ```sh
+//! python3 models/made/strangers.py WHEEL MADE --to 240
+//! cargo run --release -p measure --features tables --example thigh_tapes -- MADE > models/tables/thighs.csv
+//! ```
+//!
+//! A row a thigh: `web` is 1 where gaps between thighs were filled; `truth` the true tape; the rest is what the program reads
+//! (`thigh_seen`). Shares of stature.
+
+mod made_bodies;
+
+use made_bodies::{Fault, folder, read, truths};
+use measure::{BodyInput, FindBody, thigh_seen};
+use rayon::prelude::*;
+use shape::Side;
+use stage::{Ctx, Stage};
+use std::path::Path;
+use std::sync::Arc;
+
+fn main() -> Result<(), Fault> {
+    let mut out = csv::Writer::from_writer(std::io::stdout());
+    out.write_record([
+        "id", "side", "web", "truth", "above", "hip", "tape", "lower20", "lower40",
+    ])?;
+    let rows: Vec<_> = truths(&folder()?)?.par_iter().map(|t| body(t)).collect();
+    for rows in rows {
+        for row in rows? {
+            out.write_record(&row)?;
+        }
+    }
+    out.flush()?;
+    Ok(())
+}
+
+/// The rows of one body.
+fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
+    let mut made = read(path)?;
+    let mesh = Arc::new(std::mem::take(&mut made.mesh));
+    let input = BodyInput {
+        mesh: mesh.clone(),
+        cameras: None,
+        levels: None,
+    };
+    let Ok(features) = FindBody::run(&(), input, &Ctx::alone()) else {
+        return Err(format!("{}: no body", made.id).into());
+    };
+    let stature = made.truth["stature"]
+        .as_f64()
+        .ok_or("a truth without stature")?;
+    let web = made.truth["finish"]["web"]
+        .as_f64()
+        .is_some_and(|mm| mm > 0.0);
+    let row = |side: Side| {
+        let plane = format!("thigh{}", side.suffix().to_lowercase());
+        let truth = made.truth["planes"][plane]["tape_clean"].as_f64()?;
+        let seen = thigh_seen(&mesh, &features, side)?;
+        let mut row = vec![
+            made.id.clone(),
+            side.word().to_owned(),
+            u8::from(web).to_string(),
+        ];
+        row.push(format!("{:.4}", truth / stature));
+        row.extend(seen.map(|x| format!("{x:.4}")));
+        Some(row)
+    };
+    Ok(Side::BOTH.into_iter().filter_map(row).collect())
+}
