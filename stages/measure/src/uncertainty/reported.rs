@@ -174,7 +174,7 @@ fn round(
 }
 
 /// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
-/// is what mesh and outlines tell together; by `hidden` it may be longer, whatever else is unsure of it. \[mm\]
+/// is what mesh and outlines tell together; by what is hidden of a thigh it may be longer, whatever else is unsure. \[mm\]
 fn reported(
     tape: f64,
     mean: f64,
@@ -185,10 +185,11 @@ fn reported(
         return Ok(None);
     }
     let ends = interval(tape, mean, reach(sigmas), sigmas.cover_mm.unwrap_or(0.0));
-    let ends = [ends[0], tape + libm::hypot(ends[1] - tape, hidden)];
-    match too_wide(tape, ends, widest) {
-        true => Err(Refusal::TooUncertain),
-        false => Ok(Some(ends)),
+    let up = [ends[0], tape + libm::hypot(ends[1] - tape, hidden)];
+    match [ends, up].map(|ends| too_wide(tape, ends, widest)) {
+        [true, _] => Err(Refusal::TooUncertain),
+        [_, true] => Err(Refusal::ThighsOne),
+        _ => Ok(Some(up)),
     }
 }
 
@@ -272,7 +273,7 @@ mod tests {
         assert_eq!(reported(900.0, 900.0, &level, (0.0, 0.25)), Ok(None));
         let hidden = |mm: f64| reported(900.0, 900.0, &Sigmas::EXACT, (mm, 0.25));
         assert_eq!(hidden(200.0), Ok(Some([900.0, 1100.0])));
-        assert_eq!(hidden(300.0), Err(Refusal::TooUncertain));
+        assert_eq!(hidden(300.0), Err(Refusal::ThighsOne));
         let wide = Sigmas {
             level_mm: Some(150.0),
             ..Sigmas::EXACT
