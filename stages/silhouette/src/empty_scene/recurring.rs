@@ -92,8 +92,11 @@ impl Unlike {
     fn of(far: &[f32], open: &dyn Fn(usize) -> bool, steep: &dyn Fn(usize) -> f32) -> Self {
         let some = || (0..far.len()).step_by(3).filter(|i| open(*i));
         let middle = |mut values: Vec<f32>| {
-            values.sort_by(f32::total_cmp);
-            values.get(values.len() * 2 / 5).copied().unwrap_or(0.0)
+            let rank = values.len() * 2 / 5;
+            match values.is_empty() {
+                true => 0.0,
+                false => *values.select_nth_unstable_by(rank, f32::total_cmp).1,
+            }
         };
         let noise = middle(some().map(|i| far[i]).collect()).clamp(NOISE.0, NOISE.1);
         // Some photos are less sharp.

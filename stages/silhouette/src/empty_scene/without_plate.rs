@@ -78,10 +78,11 @@ pub fn without_plate(
     }
     let covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
     let mut ready = turn.ready(&backdrop, &covered);
-    let mut cuts = turn.together(&mut ready);
+    let mut cuts = vec![CutTwice::default(); shots.len()];
+    turn.together(&mut ready, &vec![true; shots.len()], &mut cuts);
     let background_patches = turn.laid_bare(&mut ready, &mut cuts);
     Cuts {
-        cuts,
+        cuts: cuts.into_iter().map(|cut| cut.again).collect(),
         background_patches,
     }
 }
@@ -97,6 +98,15 @@ fn always(smalls: &[Rgb], backdrop: &Backdrop) -> Vec<bool> {
         .zip(&backdrop.seen.data)
         .map(both)
         .collect()
+}
+
+/// A photo's cuts; `None` where it shows nothing that moves.
+#[derive(Clone, Default)]
+struct CutTwice {
+    /// Of it alone.
+    alone: Option<Image<bool>>,
+    /// By the evidence of all photos together.
+    again: Option<Image<bool>>,
 }
 
 /// A turn whose photos are cut.
@@ -160,52 +170,46 @@ impl Turn<'_> {
     }
 
     /// Bits of the background within the cuts. Photos that show some are cut again without.
-    fn laid_bare(
-        &self,
-        ready: &mut [Prepared],
-        cuts: &mut [Option<Image<bool>>],
-    ) -> Vec<Vec<usize>> {
+    fn laid_bare(&self, ready: &mut [Prepared], cuts: &mut [CutTwice]) -> Vec<Vec<usize>> {
         let mut all = vec![vec![]; cuts.len()];
         for _ in 0..ROUNDS {
-            let background_patches = background_patches(self.shots, cuts, self.radius);
-            if background_patches.iter().all(Vec::is_empty) {
+            let again: Vec<_> = cuts.iter().map(|cut| cut.again.clone()).collect();
+            let background_patches = background_patches(self.shots, &again, self.radius);
+            let changed: Vec<bool> = background_patches.iter().map(|p| !p.is_empty()).collect();
+            if !changed.contains(&true) {
                 break;
             }
             for (ready, background_patches) in ready.iter_mut().zip(&background_patches) {
                 ready.lay_bare(background_patches);
             }
-            let again = self.together(ready);
-            for (k, (background_patches, again)) in
-                background_patches.into_iter().zip(again).enumerate()
-            {
-                if !background_patches.is_empty() {
-                    cuts[k] = again;
-                    all[k].extend(background_patches);
-                }
+            self.together(ready, &changed, cuts);
+            for (all, background_patches) in all.iter_mut().zip(background_patches) {
+                all.extend(background_patches);
             }
         }
         all
     }
 
-    /// Each photo cut alone, then again by the evidence of all together.
-    fn together(&self, ready: &mut [Prepared]) -> Vec<Option<Image<bool>>> {
-        let alone = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
-        let first: Vec<Option<Image<bool>>> = ready.par_iter().map(alone).collect();
-        let masks = self.masks(&first);
-        let agreement = Agreement::of(&masks, self.cameras);
-        let again = |(shot, ready): (&Shot, &mut Prepared)| {
-            let person = ready.person.clone();
-            ready.add_odds(agreement.odds(shot.id));
-            let cut = alone(ready);
-            (ready.person, ready.unforeseen) = (person, None);
-            cut
-        };
-        self.shots.par_iter().zip(ready).map(again).collect()
+    /// Each photo that changed cut alone, then again by the evidence of all together.
+    fn together(&self, ready: &mut [Prepared], changed: &[bool], cuts: &mut [CutTwice]) {
+        let cut = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
+        let all = cuts.par_iter_mut().zip(&*ready).zip(changed);
+        all.filter(|(_, changed)| **changed)
+            .for_each(|((cuts, ready), _)| cuts.alone = cut(ready));
+        let agreement = Agreement::of(&self.masks(cuts), self.cameras);
+        let all = cuts.par_iter_mut().zip(ready).zip(self.shots).zip(changed);
+        all.filter(|(_, changed)| **changed)
+            .for_each(|(((cuts, ready), shot), _)| {
+                let person = ready.person.clone();
+                ready.add_odds(agreement.odds(shot.id));
+                cuts.again = cut(ready);
+                (ready.person, ready.unforeseen) = (person, None);
+            });
     }
 
-    fn masks(&self, cuts: &[Option<Image<bool>>]) -> Vec<(PhotoId, Mask)> {
+    fn masks(&self, cuts: &[CutTwice]) -> Vec<(PhotoId, Mask)> {
         let all = self.shots.iter().zip(cuts);
-        all.filter_map(|(shot, cut)| Some((shot.id, as_mask(cut.as_ref()?))))
+        all.filter_map(|(shot, cut)| Some((shot.id, as_mask(cut.alone.as_ref()?))))
             .collect()
     }
 }

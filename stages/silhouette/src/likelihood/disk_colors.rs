@@ -85,9 +85,10 @@ pub(crate) fn on_the_disk(
         return open;
     };
     let covers = |shot: &Shot| {
+        let (top, width) = (shot.top(radius), shot.small.width);
         let one = |i: usize| {
             let c = shot.small.data[i];
-            shot.shows_disk(i, radius) && body.cost(c) < disk.cost(c)
+            top.at(i % width, i / width).is_some() && body.cost(c) < disk.cost(c)
         };
         let data = (0..shot.small.data.len()).map(one).collect();
         Image {

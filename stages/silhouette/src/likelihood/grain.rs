@@ -65,7 +65,8 @@ fn strange(shots: &[Shot], around: &Scene, covered: &[Image<bool>]) -> Vec<Vec<f
 /// What is left of each pixel of a photo that may show the disk.
 fn left_over(shot: &Shot, around: &Scene) -> Image<f32> {
     let behind = around.behind(&shot.small, &shot.camera);
-    let on = |i: usize| behind.seen.data[i] && shot.shows_disk(i, around.radius);
+    let (top, width) = (shot.top(around.radius), shot.small.width);
+    let on = |i: usize| behind.seen.data[i] && top.at(i % width, i / width).is_some();
     Laid::new(&shot.small, &behind.image, on).left_over()
 }
 

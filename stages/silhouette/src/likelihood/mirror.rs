@@ -13,7 +13,7 @@ use crate::likelihood::body::{OWN_COLOR, body_cost, evident};
 use crate::likelihood::disk_colors::mixture;
 use crate::raster::as_mask;
 use crate::scene::disk_map::RIM;
-use crate::scene::disk_plane::on_disk;
+use crate::scene::disk_plane::{DiskTop, on_disk};
 use nalgebra::{Point2, Point3};
 use rayon::prelude::*;
 use shape::{Aligned, ByPhoto, Camera, Cameras, Mask, PhotoEvidence, PhotoId, Rgb};
@@ -105,7 +105,8 @@ fn body(evidence: &PhotoEvidence, camera: &Camera, radius: f64, low: f64) -> Mas
     let size = [photo.width, photo.height];
     let mut shown = evident(&evidence.background, &evidence.known, size);
     let at = |i: usize| Point2::new((i % photo.width) as f64, (i / photo.width) as f64);
-    let on = |i: usize| on_disk(camera, at(i), radius).is_some();
+    let top = DiskTop::of(camera, radius, size);
+    let on = |i: usize| top.at(i % photo.width, i / photo.width).is_some();
     let low = |i: usize| camera.height_at_axis(at(i)) < low;
     let above = (0..photo.data.len()).filter(|i| shown.data[*i] && low(*i) && !on(*i));
     let colors: Vec<[u8; 3]> = above.map(|i| photo.data[i]).collect();

@@ -5,8 +5,8 @@
 //! plate. Where the disk stood on the plate is found by trying all angles.
 
 use crate::scene::disk_map::RIM;
-use crate::scene::disk_plane::{on_disk, sample};
-use nalgebra::{Point2, Point3, Rotation3, Vector3};
+use crate::scene::disk_plane::{DiskTop, sample};
+use nalgebra::{Point3, Rotation3, Vector3};
 use shape::{Camera, Pose, Rgb};
 
 /// The camera as if the disk had been turned on by an angle, counter-clockwise from above. \[rad\]
@@ -95,21 +95,11 @@ pub(crate) fn expected(plate: &Rgb, disk: Option<(&Camera, f64, f64)>) -> Rgb {
         return image;
     };
     let there = turned(camera, angle);
-    // Only rows and columns around the disk's outline can see its top.
-    let (mut lo, mut hi) = ([f64::MAX; 2], [f64::MIN; 2]);
-    for i in 0..90 {
-        let (s, c) = libm::sincos(f64::from(i) * std::f64::consts::TAU / 90.0);
-        if let Some(px) = camera.project(&Point3::new(radius * c, radius * s, 0.0)) {
-            lo = [lo[0].min(px.x), lo[1].min(px.y)];
-            hi = [hi[0].max(px.x), hi[1].max(px.y)];
-        }
-    }
-    let clamp = |v: f64, size: usize| v.clamp(0.0, size as f64) as usize;
-    let (width, height) = (plate.width, plate.height);
-    for y in clamp(lo[1], height)..clamp(hi[1] + 1.0, height) {
-        for x in clamp(lo[0], width)..clamp(hi[0] + 1.0, width) {
-            let at = on_disk(camera, Point2::new(x as f64, y as f64), radius * RIM);
-            let color = at
+    let top = DiskTop::of(camera, radius * RIM, [plate.width, plate.height]);
+    for y in top.rows.clone() {
+        for x in top.columns.clone() {
+            let color = top
+                .at(x, y)
                 .and_then(|x| there.project(&x))
                 .and_then(|px| sample(plate, px));
             if let Some(color) = color {

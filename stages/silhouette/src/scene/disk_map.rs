@@ -1,6 +1,6 @@
 //! The disk's top as a map that turns with it: from photos to the map, and back.
 
-use crate::scene::disk_plane::{on_disk, sample};
+use crate::scene::disk_plane::{DiskTop, sample};
 use nalgebra::{Point2, Point3};
 use shape::{Camera, Image, Rgb};
 
@@ -40,10 +40,10 @@ pub(crate) fn lay_into(
     known: &Image<bool>,
 ) {
     let side = map.width;
-    for y in 0..image.height {
-        for x in 0..image.width {
-            let at_px = Point2::new(x as f64, y as f64);
-            let Some(hit) = on_disk(camera, at_px, radius * RIM) else {
+    let top = DiskTop::of(camera, radius * RIM, [image.width, image.height]);
+    for y in top.rows.clone() {
+        for x in top.columns.clone() {
+            let Some(hit) = top.at(x, y) else {
                 continue;
             };
             let place = |v: f64| (v / radius + 1.0) / 2.0 * side as f64 - 0.5;

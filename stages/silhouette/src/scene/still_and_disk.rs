@@ -2,7 +2,7 @@
 
 use crate::scene::backdrop::{Backdrop, middle};
 use crate::scene::disk_map::{laid_out, lay_into, point};
-use crate::scene::disk_plane::on_disk;
+use crate::scene::disk_plane::{DiskTop, on_disk};
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Camera, Image, PhotoId, Rgb};
@@ -22,6 +22,11 @@ impl Shot {
     pub(crate) fn shows_disk(&self, i: usize, radius: f64) -> bool {
         let at = Point2::new((i % self.small.width) as f64, (i / self.small.width) as f64);
         radius > 0.0 && on_disk(&self.camera, at, radius).is_some()
+    }
+
+    /// The disk's top, to ask of all pixels.
+    pub(crate) fn top(&self, radius: f64) -> DiskTop<'_> {
+        DiskTop::of(&self.camera, radius, [self.small.width, self.small.height])
     }
 }
 

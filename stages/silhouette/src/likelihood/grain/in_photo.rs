@@ -13,8 +13,7 @@ use crate::likelihood::grounds::{Ground, Grounds};
 use crate::likelihood::prepared::{Prepared, UNSEEN};
 use crate::scene::backdrop::thinned;
 use crate::scene::disk_map::RIM;
-use crate::scene::disk_plane::on_disk;
-use nalgebra::Point2;
+use crate::scene::disk_plane::DiskTop;
 use shape::Rgb;
 
 /// What costs so little more than the least as the ground may be it.
@@ -49,10 +48,9 @@ fn disk(ready: &Prepared, map: &Rgb) -> Vec<Option<Place>> {
     let Some(floor) = ready.floor.filter(|floor| floor.is_disk) else {
         return Vec::new();
     };
-    let (camera, radius) = (&floor.camera, floor.touched * RIM);
-    places(ready, map, |x, y| {
-        on_disk(camera, Point2::new(x as f64, y as f64), radius).is_some()
-    })
+    let size = [ready.small.width, ready.small.height];
+    let top = DiskTop::of(&floor.camera, floor.touched * RIM, size);
+    places(ready, map, |x, y| top.at(x, y).is_some())
 }
 
 /// What of the reduced photo may show the floor, if it is known where that is, but for pixels along the outline of what
