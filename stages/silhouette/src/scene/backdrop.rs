@@ -39,11 +39,11 @@ const SAME: u8 = 4;
 /// And by so much of the contrast around that all photos share: cameras tremble, and some are less sharp.
 const TREMBLE: f32 = 0.15;
 
-/// How many of a pixel's colours are alike: those around the one that has the most of them near.
-fn alike(colors: &[[u8; 3]], same: u8) -> usize {
-    let near = |a: &[u8; 3], b: &[u8; 3]| (0..3).all(|c| a[c].abs_diff(b[c]) <= same);
-    let fans = |a: &[u8; 3]| colors.iter().filter(|b| near(a, b)).count();
-    colors.iter().map(fans).max().unwrap_or(0)
+/// Whether a pixel's colours are alike but for one: near one of them.
+fn alike_but_one(colors: &[[u8; 3]], same: u8) -> bool {
+    let far = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|c| a[c].abs_diff(b[c]) > same);
+    let mut all = colors.iter();
+    all.any(|a| colors.iter().filter(|b| far(a, b)).nth(1).is_none())
 }
 
 /// The middle of what some photos show at each place of a square, channel by channel, where three do: for surfaces that
@@ -69,23 +69,17 @@ pub(crate) fn middle(shown: &[Vec<Option<[u8; 3]>>], side: usize) -> Backdrop {
 /// The greatest difference of a channel between a pixel and those beside it. \[levels\]
 fn contrast(photo: &Rgb) -> Vec<u8> {
     let (w, h) = (photo.width, photo.height);
-    let one = |i: usize| {
-        let (x, y) = (i % w, i / w);
-        let beside = [
-            (x > 0).then(|| i - 1),
-            (x + 1 < w).then(|| i + 1),
-            (y > 0).then(|| i - w),
-            (y + 1 < h).then(|| i + w),
-        ];
-        let off = |j: usize| (0..3).map(move |c| photo.data[i][c].abs_diff(photo.data[j][c]));
-        beside
-            .into_iter()
-            .flatten()
-            .flat_map(off)
-            .max()
-            .unwrap_or(0)
+    let mut most = vec![0; w * h];
+    let mut both = |i: usize, j: usize| {
+        let (a, b) = (photo.data[i], photo.data[j]);
+        let off = (0..3).fold(0, |off, c| a[c].abs_diff(b[c]).max(off));
+        (most[i], most[j]) = (off.max(most[i]), off.max(most[j]));
     };
-    (0..w * h).map(one).collect()
+    for y in 0..h {
+        (1..w).for_each(|x| both(y * w + x - 1, y * w + x));
+    }
+    (w..w * h).for_each(|i| both(i - w, i));
+    most
 }
 
 /// Pixels that all photos but one show alike; those that the moving ones enclose apart: what never
@@ -112,7 +106,7 @@ fn fixed(photos: &[Rgb]) -> Image<bool> {
         let colors: Vec<[u8; 3]> = photos.iter().map(|p| p.data[i]).collect();
         let shared = rough.iter().map(|r| r[i]).min().unwrap_or(0);
         let same = SAME + (TREMBLE * f32::from(shared)) as u8;
-        alike(&colors, same) + 1 >= photos.len()
+        alike_but_one(&colors, same)
     };
     raster(w, h, (0..w * h).into_par_iter().map(one).collect())
 }
