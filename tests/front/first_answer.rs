@@ -1,12 +1,12 @@
 //! A first answer comes while the whole is made, its page has a note when the whole does not come, and it is no run.
 
-use crate::place::{Place, signal};
+use crate::place::{Place, Printed, signal};
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 /// The sample, with its plate and what is known of it but its name.
-pub(crate) fn sample() -> Place {
+fn sample() -> Place {
     let place = Place::new();
     place.photos("turn/images", 18);
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin");
@@ -18,25 +18,36 @@ pub(crate) fn sample() -> Place {
     place
 }
 
-/// The cache of a first answer on the sample, once for all tests.
-static FIRST: LazyLock<PathBuf> = LazyLock::new(|| {
+/// The cache of a first answer on the sample and what was printed, once for all tests.
+static FIRST: LazyLock<(PathBuf, Printed)> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("front-first");
     match std::fs::remove_dir_all(&folder) {
         Err(e) if e.kind() != std::io::ErrorKind::NotFound => panic!("{e}: {folder:?}"),
         _ => (),
     }
     let place = sample();
-    place.run(&format!("measure turn --fast {COARSE}")).code(0);
+    let printed = place.run(&format!("measure turn --out out {}", quick()));
+    let printed = printed.code(0);
     copy(&place.path("cache"), &folder);
-    folder
+    (folder, printed)
 });
 
+/// What a first answer alone takes.
+pub(crate) fn quick() -> String {
+    format!("--fast {COARSE}")
+}
+
+/// What was printed when nothing was there yet.
+pub(crate) fn printed() -> &'static Printed {
+    &FIRST.1
+}
+
 /// The sample in a place whose cache holds the results of [`FIRST`], and of no run a record.
-fn begun() -> Place {
+pub(crate) fn begun() -> Place {
     let place = sample();
     std::fs::create_dir(place.path("cache")).unwrap();
     for name in ["format", "origin", "ac", "cas"] {
-        copy(&FIRST.join(name), &place.path("cache").join(name));
+        copy(&FIRST.0.join(name), &place.path("cache").join(name));
     }
     place
 }

@@ -1,6 +1,6 @@
 //! The first screen of `measure`: what it found, parts in words, the girths, warnings; in a pipe, on a terminal, in German.
 
-use crate::first_answer::sample;
+use crate::first_answer::{begun, printed, quick};
 use crate::place::{Place, Printed};
 
 /// Columns of a terminal as it comes.
@@ -8,10 +8,6 @@ const COLUMNS: usize = 80;
 
 /// Names of nodes that mean nothing to who measures.
 const NODES: [&str; 4] = ["calibrated", "compensated", "evidence", "keypoints"];
-
-/// A coarse surface: what is on the screen is the same.
-const QUICK: &str = "--fast --set params.cell_mm=6 --set compensated_coarse.level=2 --set coarse.level=2 \
-    --set coarse.edge_px=8 --set textured.atlas_px=128 --set coarse.rounds";
 
 /// The places of these in a text, which must come in this order.
 #[track_caller]
@@ -25,17 +21,16 @@ fn in_order(text: &str, parts: &[&str]) {
     }
 }
 
-/// A measuring by coarse surfaces, with more words.
-fn quick(more: &str) -> String {
-    format!("measure turn --out out {QUICK}=1 {more}")
+/// The first measuring again, with more words.
+fn again(more: &str) -> String {
+    format!("measure turn --out out {} {more}", quick())
 }
 
 #[test]
 fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warnings() {
     // A capture that nobody named is called after its folder.
-    let place = sample();
-    let printed = place.run(&quick("")).code(0);
-    let found = "turn: 18 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
+    let (place, printed) = (begun(), printed());
+    let found = "turn: 9 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
     assert!(printed.err.starts_with(found), "{}", printed.err);
     in_order(
         &printed.err,
@@ -52,7 +47,7 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
     in_order(
         &printed.out,
         &[
-            "turn: 18 of 18 photos",
+            "turn: 9 of 9 photos",
             "girth ",
             "waist (WC)",
             " warning",
@@ -66,6 +61,8 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
         let wide = text.lines().filter(|l| l.chars().count() > COLUMNS);
         assert_eq!(wide.collect::<Vec<_>>(), [""; 0]);
     }
+    in_other_ways(&place, printed);
+    // The page is of what was found.
     let page = std::fs::read_to_string(place.path("out/report.html")).unwrap();
     for part in [
         "<title>tailor: turn</title>",
@@ -74,18 +71,17 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
     ] {
         assert!(page.contains(part), "{part}");
     }
-    in_other_ways(&place, &printed);
     on_a_terminal(&place);
 }
 
 /// The same in German, quiet, and by node.
 fn in_other_ways(place: &Place, printed: &Printed) {
     // Nothing is made anew in another language, and the numbers are the same.
-    let german = place.run(&quick("--lang de")).code(0);
+    let german = place.run(&again("--lang de")).code(0);
     in_order(
         &german.err,
         &[
-            "turn: 18 Fotos mit je 1,0 Megapixeln",
+            "turn: 9 Fotos mit je 1,0 Megapixeln",
             "Umrisse: schon im Zwischenspeicher\n",
             "Bericht: ",
         ],
@@ -114,12 +110,12 @@ fn in_other_ways(place: &Place, printed: &Printed) {
     let line = format!(
         "LC_ALL= LANG=de_DE.UTF-8 {} {}",
         env!("CARGO_BIN_EXE_tailor"),
-        quick("")
+        again("")
     );
     assert_eq!(place.bash(&line).code(0).out, german.out);
-    let quiet = place.run(&quick("--quiet")).code(0);
+    let quiet = place.run(&again("--quiet")).code(0);
     assert_eq!((quiet.err, quiet.out), (String::new(), printed.out.clone()));
-    let nodes = place.run(&quick("--verbose")).code(0);
+    let nodes = place.run(&again("--verbose")).code(0);
     assert!(nodes.err.contains("] calibrated   found"), "{}", nodes.err);
 }
 
@@ -130,8 +126,9 @@ fn on_a_terminal(place: &Place) {
     }
     // A round more, so that something is made.
     let line = format!(
-        "{} measure turn --out out {QUICK}=2",
-        env!("CARGO_BIN_EXE_tailor")
+        "{} measure turn --out out {}",
+        env!("CARGO_BIN_EXE_tailor"),
+        quick().replace(" coarse.rounds=1", " coarse.rounds=2")
     );
     let seen = place.bash(&format!(
         "script -qec 'stty rows 24 cols 80; {line}' /dev/null"
@@ -143,9 +140,9 @@ fn on_a_terminal(place: &Place) {
     in_order(
         &seen,
         &[
-            "turn: 18 photos",
+            "turn: 9 photos",
             "/7] Surface, ",
-            "turn: 18 of 18 photos",
+            "turn: 9 of 9 photos",
             "girth ",
         ],
     );
