@@ -8,6 +8,7 @@ use super::{LEAST, has, unlikely};
 use crate::likelihood::background::{CAP, FLAT};
 use crate::likelihood::body::evident;
 use crate::likelihood::disk_colors::mixture;
+use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::{Ground, Grounds};
 use crate::likelihood::prepared::{Prepared, UNSEEN};
@@ -24,10 +25,14 @@ const CLASSES: usize = 12;
 const FEW: usize = 40;
 
 /// Raises what pixels cost as the disk or the floor where they lack its grain, and keeps by how much: shadows are deep
-/// there, so light and hue tell little. `without` is what the photo would show without the subject, at full size.
+/// there, so light and hue tell little. Nothing where it is not known where the floor is. `without` is what the photo would
+/// show without the subject, at full size.
 pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
+    let Some(before) = ready.floor else {
+        return;
+    };
     let map = without.reduced(ready.factor);
-    let [disk, floor] = [disk(ready, &map), floor(ready, &map)];
+    let [disk, floor] = [disk(ready, &before, &map), floor(ready, &before, &map)];
     let body = colors_above(ready, &disk);
     ready.strange = vec![0.0; ready.cost.len()];
     for places in [disk, floor] {
@@ -44,21 +49,18 @@ pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
 }
 
 /// What of the reduced photo may show the disk, if there is one.
-fn disk(ready: &Prepared, map: &Rgb) -> Vec<Option<Place>> {
-    let Some(floor) = ready.floor.filter(|floor| floor.is_disk) else {
+fn disk(ready: &Prepared, floor: &Floor, map: &Rgb) -> Vec<Option<Place>> {
+    if !floor.is_disk {
         return Vec::new();
-    };
+    }
     let size = [ready.small.width, ready.small.height];
     let top = DiskTop::of(&floor.camera, floor.touched * RIM, size);
     places(ready, map, |x, y| top.at(x, y).is_some())
 }
 
-/// What of the reduced photo may show the floor, if it is known where that is, but for pixels along the outline of what
-/// evidently is body: they are mixtures of both.
-fn floor(ready: &Prepared, map: &Rgb) -> Vec<Option<Place>> {
-    let Some(floor) = &ready.floor else {
-        return Vec::new();
-    };
+/// What of the reduced photo may show the floor, but for pixels along the outline of what evidently is body: they are
+/// mixtures of both.
+fn floor(ready: &Prepared, floor: &Floor, map: &Rgb) -> Vec<Option<Place>> {
     let size = [ready.small.width, ready.small.height];
     let grounds = Grounds::of(Some(floor), 1, size[0], size[1]);
     let off = evident(&ready.cost, &ready.known, size).map(|body| !body);

@@ -3,7 +3,7 @@
 use super::{missed_in_photo, strange};
 use crate::likelihood::background::FLAT;
 use crate::likelihood::floor::Floor;
-use crate::likelihood::prepared::prepare;
+use crate::likelihood::prepared::{Prepared, prepare};
 use crate::scene::backdrop::{Backdrop, thinned};
 use crate::scene::disk_plane::on_disk;
 use crate::scene::still_and_disk::{Shot, scene};
@@ -182,6 +182,16 @@ fn feet_of_the_colour_of_the_wood_lack_its_grain_and_their_shadow_does_not() {
     );
 }
 
+/// A photo before its plate, without and with the grain.
+fn weighed(shot: &Shot, plate: Rgb) -> [Prepared; 2] {
+    let disk = Some(Floor::of_disk(shot.camera, RADIUS));
+    let behind = Backdrop::whole(plate);
+    let ready = || prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
+    let mut after = ready();
+    missed_in_photo(&mut after, &behind.image);
+    [ready(), after]
+}
+
 #[test]
 fn with_a_plate_one_photo_shows_feet_from_wood_of_their_colour() {
     let mut dice = proof::Dice(6);
@@ -190,11 +200,7 @@ fn with_a_plate_one_photo_shows_feet_from_wood_of_their_colour() {
     for k in 0..PHOTOS {
         let (shot, shows) = photo(k, true, &wall, &mut dice);
         let (plate, _) = photo(k, false, &wall, &mut dice);
-        let disk = Some(Floor::of_disk(shot.camera, RADIUS));
-        let behind = Backdrop::whole(plate.small);
-        let before = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
-        let mut after = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
-        missed_in_photo(&mut after, &behind.image);
+        let [before, after] = weighed(&shot, plate.small);
         for (i, shown) in shows.iter().enumerate() {
             let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
             match (shown, on_disk(&shot.camera, at, 0.95 * RADIUS)) {
@@ -239,11 +245,7 @@ fn trousers_of_the_floors_colour_lack_its_grain_and_the_bare_floor_does_not() {
             *p = [81.0, 85.0, 92.0].map(|v: f64| (v + dice.within(-4.0, 4.0)).round() as u8);
         }
         let (plate, _) = photo(k, false, &floor, &mut dice);
-        let disk = Some(Floor::of_disk(shot.camera, RADIUS));
-        let behind = Backdrop::whole(plate.small);
-        let before = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
-        let mut after = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
-        missed_in_photo(&mut after, &behind.image);
+        let [before, after] = weighed(&shot, plate.small);
         for (i, shown) in shows.iter().enumerate() {
             let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
             match (shown, on_disk(&shot.camera, at, 1.05 * RADIUS)) {
