@@ -11,10 +11,9 @@
 
 mod made_bodies;
 
-use made_bodies::{Fault, MadeBody, folder, read, truths};
+use made_bodies::{Fault, MadeBody, read, written};
 use measure::{ArmSeen, Limb, Limbs, Line, limbs, rings};
 use nalgebra::Point3;
-use rayon::prelude::*;
 use shape::{Mesh, Plane};
 use std::path::Path;
 
@@ -24,7 +23,6 @@ const PROFILE: (f64, f64, usize) = (0.17, 0.01, 13);
 const OFF: f64 = 0.03;
 
 fn main() -> Result<(), Fault> {
-    let mut out = csv::Writer::from_writer(std::io::stdout());
     let mut header: Vec<String> = [
         "family",
         "id",
@@ -40,15 +38,7 @@ fn main() -> Result<(), Fault> {
     .to_vec();
     header.extend(ArmSeen::NAMES.map(|n| format!("f.{n}")));
     header.extend((0..PROFILE.2).map(|k| format!("t{k:02}")));
-    out.write_record(&header)?;
-    let rows: Vec<_> = truths(&folder()?)?.par_iter().map(|t| rows(t)).collect();
-    for both in rows {
-        for row in both? {
-            out.write_record(&row)?;
-        }
-    }
-    out.flush()?;
-    Ok(())
+    written(header, rows)
 }
 
 /// Both arms of a body; none where the program finds no body, which is printed.

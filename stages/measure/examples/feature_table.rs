@@ -8,10 +8,9 @@
 
 mod made_bodies;
 
-use made_bodies::{Fault, folder, read, truths};
+use made_bodies::{Fault, read, written};
 use measure::{Reading, marks, readings};
 use nalgebra::Point3;
-use rayon::prelude::*;
 use std::path::Path;
 
 /// Heights of the tape's profile: from 0.45 of stature on, 71 steps of 0.005.
@@ -26,7 +25,6 @@ const MARKS: [(&str, &str); 5] = [
 ];
 
 fn main() -> Result<(), Fault> {
-    let mut out = csv::Writer::from_writer(std::io::stdout());
     let mut header: Vec<String> = ["family", "id", "repeats", "person", "grown", "stature"]
         .map(str::to_owned)
         .to_vec();
@@ -45,18 +43,7 @@ fn main() -> Result<(), Fault> {
     header.extend(["l.waist", "l.navel", "l.hip_bone", "l.chest"].map(str::to_owned));
     let (_, _, steps) = PROFILE;
     header.extend((0..steps).map(|k| format!("t{k:02}")));
-    out.write_record(&header)?;
-    let rows: Vec<_> = truths(&folder()?)?
-        .par_iter()
-        .map(|truth| row(truth))
-        .collect();
-    for row in rows {
-        if let Some(row) = row? {
-            out.write_record(&row)?;
-        }
-    }
-    out.flush()?;
-    Ok(())
+    written(header, row)
 }
 
 /// One body's row; `None` where the program finds no marks on it, which is printed.

@@ -11,9 +11,8 @@
 
 mod made_bodies;
 
-use made_bodies::{Fault, folder, read, truths};
+use made_bodies::{Fault, read, written};
 use measure::{BodyInput, FindBody, FindLandmarks, GirthInput, LandmarkInput, Measure};
-use rayon::prelude::*;
 use stage::{Ctx, Stage};
 use std::path::Path;
 use std::sync::Arc;
@@ -34,16 +33,10 @@ const GIRTHS: [(&str, &str); 11] = [
 ];
 
 fn main() -> Result<(), Fault> {
-    let mut out = csv::Writer::from_writer(std::io::stdout());
-    out.write_record(["id", "girth", "refused", "tape", "low", "high", "truth"])?;
-    let rows: Vec<_> = truths(&folder()?)?.par_iter().map(|t| body(t)).collect();
-    for rows in rows {
-        for row in rows? {
-            out.write_record(&row)?;
-        }
-    }
-    out.flush()?;
-    Ok(())
+    written(
+        ["id", "girth", "refused", "tape", "low", "high", "truth"],
+        body,
+    )
 }
 
 /// The rows of one body.

@@ -11,10 +11,9 @@
 
 mod made_bodies;
 
-use made_bodies::{Fault, folder, read, truths};
+use made_bodies::{Fault, read, written};
 use measure::{NeckFeatures, is_groove, neck_features};
 use nalgebra::{Point3, Vector3};
-use rayon::prelude::*;
 use serde_json::Value;
 use std::path::Path;
 
@@ -22,7 +21,6 @@ use std::path::Path;
 const PROFILE: (f64, f64, usize) = (-0.6, 0.05, 25);
 
 fn main() -> Result<(), Fault> {
-    let mut out = csv::Writer::from_writer(std::io::stdout());
     let mut header: Vec<String> = [
         "family", "id", "repeats", "stature", "unit_mm", "refused", "notch", "larynx", "rig_lean",
     ]
@@ -30,15 +28,7 @@ fn main() -> Result<(), Fault> {
     .to_vec();
     header.extend(NeckFeatures::NAMES.map(|n| format!("f.{n}")));
     header.extend((0..PROFILE.2).map(|k| format!("t{k:02}")));
-    out.write_record(&header)?;
-    let rows: Vec<_> = truths(&folder()?)?.par_iter().map(|t| row(t)).collect();
-    for row in rows {
-        if let Some(row) = row? {
-            out.write_record(&row)?;
-        }
-    }
-    out.flush()?;
-    Ok(())
+    written(header, row)
 }
 
 /// One body's row; `None` where the program finds no neck on it, which is printed.

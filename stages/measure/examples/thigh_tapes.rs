@@ -10,27 +10,20 @@
 
 mod made_bodies;
 
-use made_bodies::{Fault, folder, read, truths};
+use made_bodies::{Fault, read, written};
 use measure::{BodyInput, FindBody, thigh_seen};
-use rayon::prelude::*;
 use shape::Side;
 use stage::{Ctx, Stage};
 use std::path::Path;
 use std::sync::Arc;
 
 fn main() -> Result<(), Fault> {
-    let mut out = csv::Writer::from_writer(std::io::stdout());
-    out.write_record([
-        "id", "side", "web", "truth", "above", "hip", "tape", "lower20", "lower40",
-    ])?;
-    let rows: Vec<_> = truths(&folder()?)?.par_iter().map(|t| body(t)).collect();
-    for rows in rows {
-        for row in rows? {
-            out.write_record(&row)?;
-        }
-    }
-    out.flush()?;
-    Ok(())
+    written(
+        [
+            "id", "side", "web", "truth", "above", "hip", "tape", "lower20", "lower40",
+        ],
+        body,
+    )
 }
 
 /// The rows of one body.

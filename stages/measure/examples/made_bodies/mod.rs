@@ -7,6 +7,7 @@
 )]
 
 use measure::{Body, body, ground};
+use rayon::prelude::*;
 use serde_json::Value;
 use shape::Mesh;
 use std::error::Error;
@@ -31,6 +32,27 @@ pub(crate) fn folder() -> Result<PathBuf, Fault> {
     Ok(PathBuf::from(
         named.ok_or("name the folder of made bodies")?,
     ))
+}
+
+/// Writes a table to the standard output: the columns' names, and the rows of each body of the folder named on the command
+/// line.
+pub(crate) fn written<Rows>(
+    columns: impl IntoIterator<Item: AsRef<[u8]>>,
+    rows: fn(&Path) -> Result<Rows, Fault>,
+) -> Result<(), Fault>
+where
+    Rows: IntoIterator<Item = Vec<String>> + Send,
+{
+    let mut out = csv::Writer::from_writer(std::io::stdout());
+    out.write_record(columns)?;
+    let all: Vec<_> = truths(&folder()?)?.par_iter().map(|t| rows(t)).collect();
+    for rows in all {
+        for row in rows? {
+            out.write_record(&row)?;
+        }
+    }
+    out.flush()?;
+    Ok(())
 }
 
 /// All truth files, by family and number.
