@@ -2,8 +2,8 @@
 
 use crate::repeat::allowed_mm;
 use crate::score::{iso_mm, true_tapes};
-use engine::sweep::Reference;
 use std::path::Path;
+use tables::Reference;
 
 /// Lines across the plots of a metric: of a girth its true tape, of its error nothing, the limit of ISO 20685-1 (9 or
 /// 4 mm) and what ANSUR II allows two measurers; of other errors nothing.

@@ -218,7 +218,7 @@ pub fn all(graph: &Graph, wanted: &[usize]) -> Vec<usize> {
 }
 
 /// The nodes that a node reads, one a port.
-pub(crate) fn sources(graph: &Graph, node: usize) -> impl Iterator<Item = usize> {
+pub fn sources(graph: &Graph, node: usize) -> impl Iterator<Item = usize> {
     let from = graph.nodes[node].from.iter().flatten();
     from.filter_map(|source| match source {
         Source::Node(j) => Some(*j),

@@ -79,11 +79,9 @@
 
 mod agenda;
 pub mod clock;
-pub mod cluster;
 pub mod delivery;
 pub mod differ;
 mod done;
-pub mod drawing;
 mod engine_error;
 pub mod foreign;
 pub mod graph;
@@ -99,17 +97,13 @@ mod numbers;
 pub mod out;
 mod outcome;
 mod own;
-pub mod page;
 pub mod past;
 pub mod pattern;
 pub mod permission;
 pub mod plan;
-pub mod profile;
 pub mod provenance;
 pub mod recipe;
-pub mod reference;
 pub mod run_one;
-pub mod schema;
 pub mod search;
 mod session;
 #[cfg(test)]
@@ -118,7 +112,6 @@ pub mod source;
 mod stopwatch;
 pub mod store;
 pub mod strands;
-pub mod study;
 pub mod sweep;
 mod system;
 pub mod text;

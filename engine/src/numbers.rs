@@ -12,7 +12,7 @@ pub(crate) const BESIDE: [(&str, &str); 4] = [
 ];
 
 /// Ends of an interval that a result has for one of its numbers.
-pub(crate) const ENDS: [&str; 2] = [".interval.lo", ".interval.hi"];
+pub const ENDS: [&str; 2] = [".interval.lo", ".interval.hi"];
 
 /// How many names are listed to somebody who asked for one that there is not.
 const LISTED: usize = 24;

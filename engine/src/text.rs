@@ -1,6 +1,5 @@
 //! Texts for people: nothing that steers a terminal, no more digits than matter.
 
-use comfy_table::{CellAlignment, ContentArrangement, Table};
 use std::path::Path;
 
 /// A text that steers no terminal: whatever a file's or a person's name brings along is escaped.
@@ -45,30 +44,6 @@ pub fn short(x: f64) -> String {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
     }
-}
-
-/// A table without lines, two spaces between columns.
-pub fn table() -> Table {
-    let mut table = Table::new();
-    table
-        .load_style(comfy_table::presets::NOTHING)
-        .set_content_arrangement(ContentArrangement::Disabled);
-    table
-}
-
-/// Aligns numbers to the right.
-pub fn to_the_right(table: &mut Table, column: usize) {
-    if let Some(column) = table.column_mut(column) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-}
-
-/// The lines of a table.
-pub fn lines(table: &mut Table) -> String {
-    table.column_iter_mut().for_each(|column| {
-        column.set_padding((0, 2));
-    });
-    table.trim_fmt()
 }
 
 #[cfg(test)]

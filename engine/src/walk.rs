@@ -3,7 +3,7 @@
 use crate::agenda::Agenda;
 use crate::run_one::{self, Step, Surroundings};
 
-pub use crate::done::{Both, Done, Failures, Job, Status, Watch, all, needed};
+pub use crate::done::{Both, Done, Failures, Job, Status, Watch, all, needed, sources};
 use std::sync::{Condvar, Mutex};
 use std::thread::Builder;
 use std::time::Duration;

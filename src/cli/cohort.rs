@@ -2,13 +2,13 @@
 
 use super::measuring::Measured;
 use super::provenance::{get, warnings};
-use command::text::{lines, table, to_the_right};
 use command::{Fault, Ran};
 use serde_json::{Value, json};
 use shape::{Cameras, Girths, Scale, Unit, csv_table};
 use stage::Message;
 use std::path::Path;
 use std::sync::Arc;
+use tables::aligned::{lines, table, to_the_right};
 
 /// What came of a capture.
 pub(super) struct Row {

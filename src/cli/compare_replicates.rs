@@ -1,14 +1,13 @@
 //! `tailor compare` over replicates: the same points by two or more methods, pair by pair.
 
 use crate::recipe::{Overrides, Pipeline};
-use crate::sweep::{
-    self, Point, Points, Replicates, Reported, Sweeping, paired, pairs_page, pairs_text,
-};
+use crate::sweep::{self, Point, Points, Replicates, Sweeping};
 use command::{Change, Fault, GlobalArgs, folders};
 use engine::Options;
 use serde_json::{Value, json};
 use stage::{Message, message};
 use std::path::Path;
+use tables::{Pairs, Reported, paired, pairs_page, pairs_text};
 
 stage::messages! {
     NO_POINT = "cli-compare-point": "these sweeps have no point in common: the same params and replicates are compared, one by one";
@@ -23,7 +22,7 @@ type Sides = Vec<(String, Vec<Reported>)>;
 /// What two or more sides came to, and against the first.
 pub(super) struct Against {
     sides: Sides,
-    pairs: Vec<Vec<sweep::Pairs>>,
+    pairs: Vec<Vec<Pairs>>,
 }
 
 /// `quick+hull.voxel_mm=2` beside what is changed for all.
@@ -164,7 +163,7 @@ impl Against {
     pub(super) fn json(&self) -> Value {
         let names = self.sides.iter().skip(1);
         let each = names.zip(&self.pairs).map(|((name, _), pairs)| {
-            let pairs: Vec<Value> = pairs.iter().map(sweep::Pairs::json).collect();
+            let pairs: Vec<Value> = pairs.iter().map(Pairs::json).collect();
             json!({ "first": self.sides[0].0, "second": name, "pairs": pairs })
         });
         json!({ "paired": each.collect::<Vec<_>>() })
@@ -173,7 +172,7 @@ impl Against {
     /// As a page.
     pub(super) fn page(&self) -> String {
         let names = self.sides.iter().skip(1).map(|(name, _)| name.as_str());
-        let each: Vec<(&str, &str, &[sweep::Pairs])> = names
+        let each: Vec<(&str, &str, &[Pairs])> = names
             .zip(&self.pairs)
             .map(|(name, pairs)| (self.sides[0].0.as_str(), name, pairs.as_slice()))
             .collect();

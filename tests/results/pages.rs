@@ -5,8 +5,9 @@ use crate::chromium::Tab;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Camera, Intrinsics, Mask, Mesh, Pose};
 use stage::{Metric, Value};
+use tables::Behind;
 use tailor::compare::{Side, TechnicalErrors, View, Views, compare};
-use tailor::sweep::{Behind, End, Point, Row};
+use tailor::sweep::{End, Point, Row};
 
 const DESK: [u32; 2] = [1280, 900];
 
@@ -246,7 +247,7 @@ fn a_sweep_is_plotted_lights_up_and_sorts() {
         row(3.0, "median", Some(81.0)),
         row(1.0, "median", None),
     ];
-    let page = tailor::sweep::page("s", "Fine?", &rows, &|_, _| vec![], &|_| Behind::default());
+    let page = tables::page("s", "Fine?", &rows, &|_, _| vec![], &|_| Behind::default());
     let page = page.page;
     let mut tab = Tab::open(&page, DESK, false, false);
     let count = |tab: &mut Tab, selector: &str| {

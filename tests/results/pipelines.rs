@@ -186,7 +186,7 @@ fn a_set_must_name_a_node_and_a_param() {
 
 #[test]
 fn the_schema_for_editors_knows_every_stage_with_its_ports_and_params() {
-    let schema = tailor::schema::schema(tailor::catalog::stages());
+    let schema = command::schema::schema(tailor::catalog::stages());
     let rules = &schema["properties"]["node"]["additionalProperties"]["allOf"];
     for stage in tailor::catalog::stages() {
         let rules = rules.as_array().unwrap();
@@ -209,7 +209,7 @@ fn the_schema_for_editors_knows_every_stage_with_its_ports_and_params() {
 
 #[test]
 fn the_schema_for_editors_knows_every_key_of_the_shipped_pipelines() {
-    let schema = tailor::schema::schema(tailor::catalog::stages());
+    let schema = command::schema::schema(tailor::catalog::stages());
     let properties = &schema["properties"];
     for path in shipped() {
         let text = std::fs::read_to_string(&path).unwrap();

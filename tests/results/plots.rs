@@ -2,7 +2,8 @@
 
 use crate::chromium::Tab;
 use stage::{Metric, Value};
-use tailor::sweep::{Behind, End, Point, Reference, Row};
+use tables::{Behind, Reference};
+use tailor::sweep::{End, Point, Row};
 
 const DESK: [u32; 2] = [1280, 900];
 
@@ -76,7 +77,7 @@ fn small_multiples_have_intervals_references_and_equal_scales() {
     let rows: Vec<Row> = (0..24)
         .flat_map(|i| (1..=3).map(move |r| row(i, Some(r))))
         .collect();
-    let shown = tailor::sweep::page("s", "Which?", &rows, &limits, &|row| {
+    let shown = tables::page("s", "Which?", &rows, &limits, &|row| {
         let link = (
             "body".to_owned(),
             "why".to_owned(),

@@ -126,12 +126,12 @@ fn a_section_that_no_node_takes_is_refused() {
 
 #[test]
 fn schema_and_reference_know_sections() {
-    let schema = tailor::schema::schema(tailor::catalog::stages());
+    let schema = command::schema::schema(tailor::catalog::stages());
     let girth = &schema["properties"]["girth"]["additionalProperties"];
     assert_eq!(girth["required"], serde_json::json!(["part", "at"]));
     assert_eq!(girth["properties"]["at"]["maximum"], 1.0);
     let stage = tailor::catalog::find("measure.landmarks").unwrap();
-    let text = tailor::reference::text(stage);
+    let text = command::reference::text(stage);
     assert!(
         text.contains("in [girth.NAME] at must be given  (a number, 0..=1)"),
         "{text}"

@@ -37,8 +37,12 @@ fn crates() -> Vec<BTreeMap<String, BTreeSet<String>>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let stages = std::fs::read_dir(root.join("stages")).unwrap();
     let mut crates: Vec<PathBuf> = stages.map(|e| e.unwrap().path()).collect();
-    let more = ["engine", "engine/command", "study", ""];
-    crates.extend(more.map(|c| root.join(c)));
+    crates.extend(
+        ["study", ""]
+            .iter()
+            .chain(&crate::ENGINE)
+            .map(|c| root.join(c)),
+    );
     crates.sort();
     let arrows = |c: &PathBuf| Crate::read(&c.join("src")).arrows(root);
     crates.iter().map(arrows).collect()

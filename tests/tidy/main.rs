@@ -9,3 +9,11 @@ mod names;
 mod numbers;
 mod rules;
 mod words;
+
+/// The engine's crates.
+const ENGINE: [&str; 4] = [
+    "engine",
+    "engine/cluster",
+    "engine/command",
+    "engine/tables",
+];

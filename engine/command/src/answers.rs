@@ -6,14 +6,15 @@ use super::open::open;
 use super::planned::{Answer, of_verb, of_words, planned};
 use super::program::GlobalArgs;
 use super::programs::listed;
-use super::text;
+use super::{drawing, reference, text};
 use clap::{ArgMatches, Args};
 use engine::foreign::EXEC;
+use engine::key;
 use engine::permission::listing;
 use engine::recipe::{self, Overrides, Pipeline};
-use engine::{drawing, key};
 use serde_json::{Value, json};
 use std::path::Path;
+use tables::aligned;
 
 /// Arguments of `graph`.
 #[derive(Args)]
@@ -66,7 +67,7 @@ pub(super) fn drawn(
 
 /// `stages --json-schema`.
 pub(crate) fn schema(global: &GlobalArgs) -> Result<(), Fault> {
-    let schema = engine::schema::schema(global.catalog().stages());
+    let schema = super::schema::schema(global.catalog().stages());
     let text = serde_json::to_string_pretty(&schema).expect("bug: JSON");
     crate::outln!("{text}");
     Ok(())
@@ -95,17 +96,14 @@ pub(crate) fn stages(
     if global.json {
         crate::outln!(
             "{}",
-            found
-                .iter()
-                .map(|s| engine::reference::json(*s))
-                .collect::<Value>()
+            found.iter().map(|s| reference::json(*s)).collect::<Value>()
         );
     } else if provenance {
-        crate::out!("{}", engine::reference::provenance(&found));
+        crate::out!("{}", reference::provenance(&found));
     } else {
         found
             .iter()
-            .for_each(|s| crate::out!("{}", engine::reference::text(*s)));
+            .for_each(|s| crate::out!("{}", reference::text(*s)));
         if program {
             crate::out!("{}", listing::reference(global.catalog()));
         }
@@ -137,11 +135,11 @@ pub(crate) fn pipelines(name: Option<&str>, global: &GlobalArgs) -> Result<(), F
         crate::outln!("{}", all.iter().map(one).collect::<Value>());
         return Ok(());
     }
-    let mut table = text::table();
+    let mut table = aligned::table();
     for (name, about) in all {
         table.add_row([name, &about]);
     }
-    crate::outln!("{}", text::lines(&mut table));
+    crate::outln!("{}", aligned::lines(&mut table));
     Ok(())
 }
 

@@ -7,7 +7,7 @@ use super::known::{Known, known, past};
 use super::program::GlobalArgs;
 use super::text::count;
 use clap::Args;
-use engine::cluster::{self, Layer, Limits, Packing, Sent, Slurm, Strands, Wish};
+use cluster::{Layer, Limits, Packing, Sent, Slurm, Strands, Wish};
 use engine::lasttime::History;
 use engine::past::Of;
 use engine::store::Store;

@@ -5,7 +5,7 @@ use super::itself;
 use super::known::known;
 use super::program::GlobalArgs;
 use super::text::count;
-use engine::cluster::{self, Dask, Layer, Limits, Strands};
+use cluster::{Dask, Layer, Limits, Strands};
 use engine::strands::Plan;
 use serde_json::json;
 

@@ -4,7 +4,6 @@ use super::fault::Fault;
 use super::itself;
 use super::program::GlobalArgs;
 use clap::{Args, ValueEnum};
-use engine::cluster;
 use engine::delivery;
 use engine::store::Store;
 use engine::strands::Plan;

@@ -4,13 +4,13 @@ use super::arguments::Change;
 use super::fault::Fault;
 use super::open::open_pipeline;
 use super::program::GlobalArgs;
-use super::text;
 use clap::Args;
 use engine::graph::Graph;
 use engine::impact::{Impact, impacts};
 use engine::lasttime::History;
 use engine::past::Of;
 use serde_json::{Value, json};
+use tables::aligned;
 
 /// Arguments of `impact`.
 #[derive(Args)]
@@ -76,7 +76,7 @@ pub(super) fn reached(graph: &Graph, asked: &[&String], global: &GlobalArgs) -> 
         );
         return Ok(());
     }
-    let mut table = text::table();
+    let mut table = aligned::table();
     for i in &shown {
         let reached: Vec<&str> = i
             .reaches
@@ -87,9 +87,9 @@ pub(super) fn reached(graph: &Graph, asked: &[&String], global: &GlobalArgs) -> 
         table.add_row([full(i), i.value.to_string(), time, reached.join(" > ")]);
     }
     for column in [1, 2] {
-        text::to_the_right(&mut table, column);
+        aligned::to_the_right(&mut table, column);
     }
-    crate::outln!("{}", text::lines(&mut table));
+    crate::outln!("{}", aligned::lines(&mut table));
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
-use engine::cluster::{self, Layer, Sent, Slurm, Strands};
+use cluster::{Layer, Sent, Slurm, Strands};
 use engine::store::Store;
 use engine::strands::{self, Plan};
 

@@ -8,12 +8,13 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::WriterProperties;
 use ::parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use ::parquet::schema::types::{Type, TypePtr};
-use engine::sweep::{self, Cells, Column, Row};
+use engine::sweep::Row;
 use std::sync::Arc;
+use tables::{Cells, Column};
 
 /// The file, by its name.
 pub(super) fn columns(rows: &[Row]) -> Result<Vec<(String, Vec<u8>)>, Fault> {
-    let bytes = written(&sweep::typed(rows));
+    let bytes = written(&tables::typed(rows));
     let bytes = bytes.map_err(|why| Fault::stage(format!("sweep.parquet: {why}")))?;
     Ok(vec![("sweep.parquet".to_owned(), bytes)])
 }

@@ -1,14 +1,15 @@
 //! `--profile FILE`: where a run's time and memory went, as a table on the screen and a trace in the file.
 
 use super::fault::Fault;
+use super::profile::{Cost, Profile, Profiler};
 use super::program::GlobalArgs;
-use super::text::{lines, short, table, to_the_right};
+use super::text::short;
 use engine::private_file;
-use engine::profile::{Cost, Profile, Profiler};
 use engine::walk::{Both, Watch};
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
+use tables::aligned::{lines, table, to_the_right};
 
 /// Runs it with somebody who listens; where a profile is asked for, takes one, shows it and writes it.
 pub(super) fn profiled<T>(

@@ -8,10 +8,10 @@ use clap::{ArgMatches, Args, Command};
 use engine::Outcome;
 use engine::graph::Graph;
 use engine::kind::Catalog;
-use engine::sweep::Reference;
 use stage::{AnyArtifact, Metric};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use tables::Reference;
 
 /// A program. [`Program::new`] has the engine's verbs and nothing else.
 pub struct Program {

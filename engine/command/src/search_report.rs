@@ -5,13 +5,13 @@ use super::deliver;
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::sweep_asked::SweepArgs;
-use super::text::{count, lines, short, table, to_the_right};
+use super::text::{count, short};
 use clap::Args;
 use engine::recipe::{Pipeline, Search};
 use engine::search::{Found, Tried, variant};
-use engine::sweep;
 use serde_json::{Value, json};
 use std::path::PathBuf;
+use tables::aligned::{lines, table, to_the_right};
 
 /// Arguments of `search`.
 #[derive(Args)]
@@ -180,5 +180,5 @@ fn csv(declared: &Search, found: &Found) -> String {
             .collect(),
     ];
     lines.extend(found.tried.iter().map(own));
-    sweep::as_csv(lines)
+    tables::as_csv(lines)
 }

@@ -4,7 +4,6 @@ use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::search_report::SearchArgs;
 use super::strands;
-use engine::cluster;
 use engine::recipe::{Overrides, Pipeline};
 use engine::store::Store;
 use engine::strands::{Asked, Folders, Plan, planned};

@@ -8,10 +8,10 @@ use super::text::count;
 use clap::{Args, Subcommand};
 use engine::delivery;
 use engine::recipe::Pipeline;
-use engine::study::Table;
 use engine::sweep::End;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
+use tables::Table;
 
 /// Arguments of `study`.
 #[derive(Args)]

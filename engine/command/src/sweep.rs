@@ -46,7 +46,7 @@ pub struct Swept {
 impl Swept {
     /// For other programs.
     pub fn json(&self, program: &str) -> serde_json::Value {
-        sweep::json(program, &self.asked.name, &self.asked.about, &self.rows)
+        tables::json(program, &self.asked.name, &self.asked.about, &self.rows)
     }
 
     /// What was asked for and no point has.
@@ -208,15 +208,15 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
         let references = |metric: &str, unit: &str| {
             (global.program().references)(metric, unit, args.truth.as_deref())
         };
-        let shown = sweep::page(name, about, rows, &references, &|row| {
+        let shown = tables::page(name, about, rows, &references, &|row| {
             sweep_behind::behind(row, &files, (args, &store, global))
         });
         let mut files = vec![
-            ("sweep.csv".to_owned(), sweep::csv(rows)),
+            ("sweep.csv".to_owned(), tables::csv(rows)),
             ("sweep.json".to_owned(), pretty),
             ("sweep.html".to_owned(), shown.page),
         ];
-        files.extend(sweep::statistics(rows));
+        files.extend(tables::statistics(rows));
         let files = files
             .into_iter()
             .map(|(name, text)| (name, text.into_bytes()));
@@ -228,7 +228,7 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
             "{}",
             serde_json::to_string_pretty(&json).expect("bug: JSON")
         ),
-        false => crate::out!("{}", sweep::text(about, rows)),
+        false => crate::out!("{}", tables::text(about, rows)),
     }
     swept
         .missing()

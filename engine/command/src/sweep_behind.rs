@@ -8,11 +8,12 @@ use super::sweep_report::how;
 use engine::delivery::Delivery;
 use engine::graph::Graph;
 use engine::store::Store;
-use engine::sweep::{Behind, Kept, Point, Row};
+use engine::sweep::{Kept, Point, Row};
 use engine::{out, whole};
 use stage::{AnyArtifact, Hash};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use tables::Behind;
 
 /// Where points' files are, below the page.
 const FOLDER: &str = "points";

@@ -26,7 +26,7 @@ impl Store {
     }
 
     /// As [`Store::found`], of what is here.
-    pub(crate) fn found_here(&self, key: Hash) -> Option<Found> {
+    pub fn found_here(&self, key: Hash) -> Option<Found> {
         let known = {
             let mut index = self.index();
             let entry = index.entries.get_mut(key.as_bytes());

@@ -222,7 +222,7 @@ impl InputLine {
     }
 
     /// As files that were hashed: whoever reads one holds it against its hash.
-    pub(crate) fn files(&self) -> Files {
+    pub fn files(&self) -> Files {
         let entry = |(name, hash, size): &(String, String, u64)| FileEntry {
             name: name.clone(),
             content: Hash::from_hex(hash).expect("bug: looked at when it was read"),

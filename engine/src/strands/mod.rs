@@ -17,8 +17,7 @@ mod work;
 
 pub use cut::{Strand, cut};
 pub use file::{InputLine, Plan, PlanError, PointLine, SHORTEST, StrandLine};
-pub(crate) use planned::wanted;
-pub use planned::{Asked, Folders, Unplanned, planned};
+pub use planned::{Asked, Folders, Unplanned, planned, wanted};
 #[cfg(test)]
 pub(crate) use work::work_in;
 pub use work::{WorkError, Worked, graph, pipeline, work};

@@ -92,7 +92,7 @@ pub fn planned(asked: &Asked<'_>, program: &str, store: &Store) -> Result<Plan, 
 }
 
 /// The places of the wanted nodes; none named are the pipeline's goal.
-pub(crate) fn wanted(graph: &Graph, nodes: &[String]) -> Vec<usize> {
+pub fn wanted(graph: &Graph, nodes: &[String]) -> Vec<usize> {
     match nodes.is_empty() {
         true => graph.goal.clone(),
         false => nodes.iter().filter_map(|name| graph.node(name)).collect(),

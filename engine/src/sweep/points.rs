@@ -131,7 +131,7 @@ impl Point {
 }
 
 /// A value without the quotes of a text.
-pub(super) fn plain(value: &Value) -> String {
+pub fn plain(value: &Value) -> String {
     match value {
         Value::Text(text) => text.clone(),
         other => other.to_string(),

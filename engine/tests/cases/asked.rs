@@ -6,7 +6,6 @@ use crate::shared::{begun, caches};
 use crate::signed::trusting;
 use crate::strands::{planned, worked_in};
 use crate::toys::CATALOG;
-use engine::cluster;
 use engine::recipe::Overrides;
 use engine::store::Store;
 use engine::strands::{self, Plan};

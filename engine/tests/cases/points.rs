@@ -198,7 +198,7 @@ fn a_failing_point_is_reported_tried_once_and_does_not_stop_the_rest() {
         .filter(|(_, f)| matches!(f, Status::Failed(_)))
         .count();
     assert_eq!(tried, 1, "three points share the failure");
-    let text = sweep::text("?", &rows);
+    let text = tables::text("?", &rows);
     assert!(text.contains("mid failed: thirteen is not taken"), "{text}");
     assert!(
         text.contains("9 points (3 without a result): 9 results made"),
@@ -231,7 +231,7 @@ fn variants_cross_with_the_grid_and_zipped_params_go_side_by_side() {
     assert_eq!(names, ["s@1,7", "s@2,8", "s@3,9"]);
     std::fs::write(place.0.path().join("p.csv"), "mid.n,final.n\n4,40\n5,50\n").unwrap();
     let (rows, _) = place.sweep("[sweep.s]\ncsv = \"p.csv\"\ntell = \"final.tenfold\"\n");
-    let lines: Vec<String> = sweep::csv(&rows).lines().map(str::to_owned).collect();
+    let lines: Vec<String> = tables::csv(&rows).lines().map(str::to_owned).collect();
     assert!(
         lines[0].starts_with("mid.n,final.n,final.tenfold mm,made"),
         "{}",

@@ -5,9 +5,10 @@ use crate::toys::CATALOG;
 use engine::Options;
 use engine::graph::Graph;
 use engine::recipe::{Overrides, open_text};
-use engine::sweep::{self, Axis, End, Points, Replicates, Reported, Row, Sweeping, axes, spread};
+use engine::sweep::{self, Axis, End, Points, Replicates, Row, Sweeping, axes};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
+use tables::{Reported, spread};
 
 const PIPELINE: &str = r#"goal = "last"
 [input.src]
@@ -106,7 +107,7 @@ fn replicates_take_the_next_seeds_alike_in_all_variants_and_share_what_is_equal(
     assert!(
         matches!(&rows[5].end, End::Failed(node, why) if node == "noise" && why.contains("seven"))
     );
-    let read = sweep::json("toys 1", "s", "", &rows);
+    let read = tables::json("toys 1", "s", "", &rows);
     assert_eq!(Reported::read(&read).unwrap(), reported);
     assert_eq!(read["replicates"][0]["metrics"][0]["refused"], 1);
 }

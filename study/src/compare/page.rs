@@ -9,9 +9,9 @@ use super::words::{
 };
 use crate::reader::English;
 use crate::table::Table;
-use engine::page;
 use serde_json::{Value, json};
 use shape::{Mesh, thinned};
+use tables::html;
 
 const SCRIPT: &str = concat!(include_str!("view.js"), include_str!("pictures.js"));
 
@@ -46,9 +46,9 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
         false => &shown,
     };
     let pictures = pictures(&c.sides, unmoved, show_photos, FULL_MM);
-    let mut body = format!("<h1>{}</h1>\n", page::escaped(&title));
+    let mut body = format!("<h1>{}</h1>\n", html::escaped(&title));
     for sentence in sentences(c, &English) {
-        body += &format!("<p>{}</p>\n", marked(&page::escaped(&sentence)));
+        body += &format!("<p>{}</p>\n", marked(&html::escaped(&sentence)));
     }
     if shown.len() > 1 {
         body += VIEW;
@@ -69,7 +69,7 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
     }
     let meshes: Vec<Value> = shown.iter().map(packed).collect();
     let data = json!({ "meshes": meshes, "pictures": pictures });
-    page::page(&title, &body, &data, SCRIPT)
+    html::page(&title, &body, &data, SCRIPT)
 }
 
 /// Names between backticks as code.
@@ -85,7 +85,7 @@ fn section(title: &str, table: &Table) -> String {
     if table.len() < 2 {
         return String::new();
     }
-    let html = page::table("", &table[0], &table[1..]);
+    let html = html::table("", &table[0], &table[1..]);
     let legend = match title == GIRTHS.english {
         true => format!("<p class=\"soft\">{}</p>", LEGEND.english),
         false => String::new(),

@@ -66,7 +66,7 @@ pub(super) fn curve_svg(followed: &Followed, line: &Line) -> String {
         high: high + margin,
     };
     let [left, right, top, bottom] = MARGIN;
-    let title = engine::page::escaped(&format!("{} ({}) [cm]", line.name, line.label));
+    let title = tables::html::escaped(&format!("{} ({}) [cm]", line.name, line.label));
     let (far, foot) = (WIDE - right, HIGH - bottom);
     let (band_top, band_foot) = (axes.y(first + least), axes.y(first - least));
     let mut svg = format!(
@@ -148,7 +148,7 @@ fn days(axes: &Axes, followed: &Followed) -> String {
             _ if last > 4 => continue,
             i => (axes.x(i), "middle"),
         };
-        let head = engine::page::escaped(head);
+        let head = tables::html::escaped(head);
         let _ = writeln!(
             svg,
             "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{head}</text>"

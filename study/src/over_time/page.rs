@@ -5,8 +5,8 @@ use super::curve::curve_svg;
 use super::pictures::{FULL_MM, colored, picture};
 use super::series::Series;
 use super::words::{BY_CAPTURES, LEGEND, girth_table, heads, volume_table};
-use engine::page;
 use shape::mesh_to_ply;
+use tables::html;
 
 /// A drawing within a page, which needs no name space.
 fn inline(svg: &str) -> String {
@@ -15,20 +15,20 @@ fn inline(svg: &str) -> String {
 
 /// The page, and a coloured surface (PLY) for each capture but the first, by its name.
 pub fn page(followed: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>) {
-    let mut body = format!("<h1>{}</h1>\n", page::escaped(&followed.person));
+    let mut body = format!("<h1>{}</h1>\n", html::escaped(&followed.person));
     for warning in &followed.warnings {
-        body += &format!("<p><strong>{}.</strong></p>\n", page::escaped(warning));
+        body += &format!("<p><strong>{}.</strong></p>\n", html::escaped(warning));
     }
     let table = |title: &str, table: &crate::table::Table, legend: &str| {
-        let html = page::table("", &table[0], &table[1..]);
+        let html = html::table("", &table[0], &table[1..]);
         format!(
             "<section><h2>{title}</h2>{html}<p class=\"soft\">{}</p></section>\n",
-            page::escaped(legend)
+            html::escaped(legend)
         )
     };
     body += &table("Girths", &girth_table(followed), LEGEND);
     if followed.by_captures {
-        body += &format!("<p class=\"soft\">{}</p>\n", page::escaped(BY_CAPTURES));
+        body += &format!("<p class=\"soft\">{}</p>\n", html::escaped(BY_CAPTURES));
     }
     body += "<section><h2>Girths over time</h2>\n";
     followed
@@ -44,7 +44,7 @@ pub fn page(followed: &Followed, series: &Series) -> (String, Vec<(String, Vec<u
         .zip(heads(followed).iter().skip(1))
         .zip(&series.visits[1..])
     {
-        let head = page::escaped(head);
+        let head = html::escaped(head);
         body += &format!(
             "<figure><img alt=\"the first body from the front and from behind, orange where {head} is outside of it, blue inside\" src=\"{}\"><figcaption>{head}</figcaption></figure>\n",
             picture(first, growth)
@@ -61,7 +61,7 @@ pub fn page(followed: &Followed, series: &Series) -> (String, Vec<(String, Vec<u
         "Parts meet where the first body's do, carried to the other captures. What a part lost, its neighbour may have got: heads and limbs are parted from the trunk on the surface alone.",
     );
     (
-        page::page(&followed.person, &body, &serde_json::Value::Null, ""),
+        html::page(&followed.person, &body, &serde_json::Value::Null, ""),
         surfaces,
     )
 }

@@ -3,7 +3,7 @@
 use super::plot::bland_altman_svg;
 use super::study::Study;
 use super::words::{LEGEND, girth_table, known_table, people};
-use engine::page;
+use tables::html;
 
 /// A drawing within a page needs no name space.
 const XMLNS: &str = " xmlns=\"http://www.w3.org/2000/svg\"";
@@ -12,17 +12,17 @@ const XMLNS: &str = " xmlns=\"http://www.w3.org/2000/svg\"";
 pub fn page(study: &Study) -> String {
     let mut body = String::from("<h1>Repeatability</h1>\n<ul>");
     for person in people(study) {
-        body += &format!("<li>{}</li>", page::escaped(&person));
+        body += &format!("<li>{}</li>", html::escaped(&person));
     }
     body += "</ul>\n";
     for warning in &study.warnings {
-        body += &format!("<p>{}.</p>\n", page::escaped(warning));
+        body += &format!("<p>{}.</p>\n", html::escaped(warning));
     }
     let table = girth_table(study);
     body += &format!(
         "<section><h2>Girths</h2>{}<p class=\"soft\">{}</p></section>\n<section><h2>Bland–Altman plots</h2>\n",
-        page::table("", &table[0], &table[1..]),
-        page::escaped(LEGEND)
+        html::table("", &table[0], &table[1..]),
+        html::escaped(LEGEND)
     );
     study
         .girths
@@ -31,7 +31,7 @@ pub fn page(study: &Study) -> String {
     let table = known_table();
     body += &format!(
         "</section>\n<section><h2>What other studies report</h2>{}</section>\n",
-        page::table("", &table[0], &table[1..])
+        html::table("", &table[0], &table[1..])
     );
-    page::page("Repeatability", &body, &serde_json::Value::Null, "")
+    html::page("Repeatability", &body, &serde_json::Value::Null, "")
 }

@@ -96,7 +96,7 @@ pub fn bland_altman_svg(girth: &GirthStudy) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDE} {HIGH}\" width=\"{WIDE}\" height=\"{HIGH}\" role=\"img\" \
          aria-label=\"Bland–Altman plot of {0}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#777\">\n\
          <text x=\"{left}\" y=\"18\" font-size=\"14\">{0}</text>\n",
-        engine::page::escaped(&format!("{} ({})", girth.name, girth.label))
+        tables::html::escaped(&format!("{} ({})", girth.name, girth.label))
     );
     let far = WIDE - right;
     svg += &axes((x0, x1, &x), (y0, y1, &y));

@@ -73,7 +73,7 @@ impl Link {
 impl Store {
     /// The keys of all records of the shared store, asked for now; `None` if there is no such store, it does
     /// not answer, has more than `most`, or a listing does not show what of it is believed.
-    pub(crate) fn listed(&self, most: usize) -> Option<Arc<HashSet<[u8; 32]>>> {
+    pub fn listed(&self, most: usize) -> Option<Arc<HashSet<[u8; 32]>>> {
         let link = self.link.as_ref().filter(|link| !link.is_strict())?;
         let listed = link.ask(&|| link.listed(most)).ok().flatten()?;
         let mut inventory = link.inventory.lock().expect("bug: poisoned");

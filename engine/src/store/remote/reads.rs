@@ -130,7 +130,7 @@ impl Store {
     }
 
     /// Brings the records of keys that are not here, several at a time.
-    pub(crate) fn bring_all(&self, keys: &[Hash]) {
+    pub fn bring_all(&self, keys: &[Hash]) {
         if !self.is_shared() {
             return;
         }
