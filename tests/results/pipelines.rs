@@ -170,6 +170,7 @@ fn a_set_must_name_a_node_and_a_param() {
             &CATALOG,
         )
     };
+    // Although nobody reads the shared param then.
     assert!(with("hull.voxel_mm=4").is_ok());
     for (set, part) in [
         ("hul.voxel_mm=4", "did you mean `hull`"),

@@ -246,7 +246,7 @@ impl Pipeline {
             .map(|(node, name)| (name.to_owned(), node.name.value.clone()))
             .collect();
         if !readers.is_empty() || !recipe.params.is_empty() {
-            shared::resolve(varied.to_mut(), strict, &mut mistakes);
+            shared::resolve(varied.to_mut(), strict.then_some(recipe), &mut mistakes);
         }
         let beside = Beside {
             folder: &|spanned| self.folder(spanned),

@@ -4,7 +4,7 @@ use super::mistake::Mistake;
 use super::written::{Node, Recipe, Spanned};
 use crate::graph::SHARED;
 use stage::{Value, unknown};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The shared param that a value names; `$$` begins a text with a `$` of its own.
 fn named(value: &Value) -> Option<&str> {
@@ -39,15 +39,21 @@ pub(super) fn readers<'a>(
 }
 
 /// Puts the values of shared params where they are read. A value has the place where it was written, so
-/// that a mistake in it is found there. A `strict` pipeline has none that nobody reads.
-pub(super) fn resolve(recipe: &mut Recipe, strict: bool, mistakes: &mut Vec<Mistake>) {
+/// that a mistake in it is found there. With the pipeline as it is written there may be none that nobody reads, there or here:
+/// `--set` may take the last reader away.
+pub(super) fn resolve(recipe: &mut Recipe, strict: Option<&Recipe>, mistakes: &mut Vec<Mistake>) {
     let names: Vec<&str> = recipe
         .params
         .iter()
         .map(|(n, _)| n.value.as_str())
         .collect();
     let places: HashMap<&str, usize> = names.iter().enumerate().map(|(i, n)| (*n, i)).collect();
-    let mut read = vec![false; names.len()];
+    let written: HashSet<&str> = strict
+        .into_iter()
+        .flat_map(references)
+        .map(|(_, name)| name)
+        .collect();
+    let mut read: Vec<bool> = names.iter().map(|name| written.contains(name)).collect();
     for node in &mut recipe.nodes {
         if node.name.value == SHARED {
             let what = "`params` means the shared params: call the node otherwise";
@@ -75,7 +81,7 @@ pub(super) fn resolve(recipe: &mut Recipe, strict: bool, mistakes: &mut Vec<Mist
             }
         }
     }
-    if strict {
+    if strict.is_some() {
         for ((name, _), _) in recipe.params.iter().zip(read).filter(|(_, read)| !*read) {
             let what = format!("no node reads the shared param `{}`", name.value);
             mistakes.push(Mistake::at(&name.span, what));
