@@ -96,7 +96,7 @@ pub use likelihood::prepared::{Prepared, prepare};
 pub use likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
 pub use params::{CutError, CutParams, GrabCutParams};
 pub use plate::stage::{Plate, PlateInput};
-pub use scene::backdrop::Backdrop;
+pub use scene::backdrop::{Backdrop, still};
 pub use scene::still_and_disk::Shot;
 pub use walk::{Walk, WalkCutError, WalkInput, WalkParams};
 

@@ -3,12 +3,15 @@
 use crate::align::rectangle::Rectangle;
 use crate::empty_scene::doubtful_patches::doubtful;
 use crate::empty_scene::full_size::{Views, at_full_size, shots};
-use crate::empty_scene::without_plate::{Cuts, standing, without_plate};
+use crate::empty_scene::without_plate::{Cuts, without_plate};
 use crate::label::color_cut::Settings;
 use crate::likelihood::person::sense;
 use crate::params::{CutError, CutParams};
+use crate::scene::backdrop::still;
 use crate::scene::still_and_disk::Shot;
-use shape::{Aligned, Cameras, FoundBody, Image, InPhoto, People, Photo, PhotoId, Photos, Scene};
+use shape::{
+    Aligned, Cameras, FoundBody, Image, InPhoto, People, Photo, PhotoId, Photos, Rgb, Scene,
+};
 use stage::{Ctx, Message, Stage, Stop, message};
 use std::sync::Arc;
 
@@ -78,9 +81,12 @@ impl Stage for EmptyScene {
             ctx.check().map_err(Stop::from)
         })?;
         ctx.check()?;
-        let still = standing(&shots) * 100.0;
-        if still < MIN_STILL_PERCENT {
-            let why = CutError::Moves(still);
+        let smalls: Vec<&Rgb> = shots.iter().map(|s| &s.small).collect();
+        let still = still(&smalls);
+        let count = still.iter().filter(|still| **still).count();
+        let percent = 100.0 * (count as f64 / still.len().max(1) as f64);
+        if percent < MIN_STILL_PERCENT {
+            let why = CutError::Moves(percent);
             if !boxed {
                 return Err(why.into());
             }
@@ -88,8 +94,8 @@ impl Stage for EmptyScene {
             return Ok(Scene::unknown());
         }
         let people = input.people.as_deref();
-        let (scene, doubted) = found(p, photos, aligned, cameras, (&shots, people), ctx)?;
-        ctx.metric("stands still", still, "%");
+        let (scene, doubted) = found(p, photos, aligned, cameras, (&shots, &still, people), ctx)?;
+        ctx.metric("stands still", percent, "%");
         warnings(&doubted, photos)
             .into_iter()
             .for_each(|w| ctx.warn(w));
@@ -110,7 +116,7 @@ fn found(
     photos: &Photos,
     aligned: &Aligned,
     cameras: &Cameras,
-    (shots, people): (&[Shot], Option<&People>),
+    (shots, still, people): (&[Shot], &[bool], Option<&People>),
     ctx: &Ctx<'_>,
 ) -> Result<(Scene, Vec<PhotoId>), Stop> {
     let known = seen(photos, cameras);
@@ -126,6 +132,7 @@ fn found(
         background_patches,
     } = without_plate(
         shots,
+        still,
         cameras,
         &settings,
         p.disk_side_mm,

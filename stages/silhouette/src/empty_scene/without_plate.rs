@@ -16,7 +16,7 @@ use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grain::missed;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
-use crate::scene::backdrop::{Backdrop, still};
+use crate::scene::backdrop::Backdrop;
 use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb, parts};
@@ -39,18 +39,11 @@ const MUST_AGREE: f32 = 1.0;
 /// and that suffices where the colour is none of the body's.
 const MIN_AGREEMENT: f32 = 0.3;
 
-/// Share of the pixels that are still around the turn.
-pub(crate) fn standing(shots: &[Shot]) -> f64 {
-    let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
-    let still = still(&smalls);
-    let count = still.data.iter().filter(|s| **s == Some(true)).count();
-    count as f64 / still.data.len().max(1) as f64
-}
-
-/// Masks of reduced photos without a plate. `within` is a rectangle that holds the body, and how many of
+/// Masks of reduced photos without a plate. `still` is what does not change around the turn, `within` a rectangle that holds the body, and how many of
 /// its pixels became one; `people` the log-odds of the body by a person's sense, photo by photo, or nothing. \[nats\]
 pub fn without_plate(
     shots: &[Shot],
+    still: &[bool],
     cameras: &Cameras,
     settings: &Settings,
     disk_side_mm: f64,
@@ -61,6 +54,8 @@ pub fn without_plate(
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
     let mut backdrop = recurring(&smalls, None, MUST_AGREE);
     without_islands(&mut backdrop.seen);
+    // What never changes may be the crown of a head, but then it is enclosed by what changes.
+    let always_bare = still.iter().zip(&backdrop.seen.data);
     let turn = Turn {
         shots,
         cameras,
@@ -69,7 +64,7 @@ pub fn without_plate(
         disk_side_mm,
         within,
         people,
-        always_bare: always(&smalls, &backdrop),
+        always_bare: always_bare.map(|(still, seen)| *still && *seen).collect(),
     };
     let body = body_colors(shots, &backdrop, radius);
     if let Some(body) = &body {
@@ -78,36 +73,18 @@ pub fn without_plate(
     }
     let covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
     let mut ready = turn.ready(&backdrop, &covered);
-    let mut cuts = vec![CutTwice::default(); shots.len()];
+    let mut cuts = [vec![None; shots.len()], vec![None; shots.len()]];
     turn.together(&mut ready, &vec![true; shots.len()], &mut cuts);
     let background_patches = turn.laid_bare(&mut ready, &mut cuts);
+    let [_, cuts] = cuts;
     Cuts {
-        cuts: cuts.into_iter().map(|cut| cut.again).collect(),
+        cuts,
         background_patches,
     }
 }
 
-/// Pixels that are background on all photos. What never changes may be the crown of a head, but then it is
-/// enclosed by what changes.
-fn always(smalls: &[Rgb], backdrop: &Backdrop) -> Vec<bool> {
-    let still = still(smalls);
-    let both = |(still, seen): (&Option<bool>, &bool)| *still == Some(true) && *seen;
-    still
-        .data
-        .iter()
-        .zip(&backdrop.seen.data)
-        .map(both)
-        .collect()
-}
-
-/// A photo's cuts; `None` where it shows nothing that moves.
-#[derive(Clone, Default)]
-struct CutTwice {
-    /// Of it alone.
-    alone: Option<Image<bool>>,
-    /// By the evidence of all photos together.
-    again: Option<Image<bool>>,
-}
+/// The cuts of photos, each alone and again by the evidence of all together; `None` where one shows nothing that moves.
+type CutTwice = [Vec<Option<Image<bool>>>; 2];
 
 /// A turn whose photos are cut.
 struct Turn<'a> {
@@ -170,11 +147,10 @@ impl Turn<'_> {
     }
 
     /// Bits of the background within the cuts. Photos that show some are cut again without.
-    fn laid_bare(&self, ready: &mut [Prepared], cuts: &mut [CutTwice]) -> Vec<Vec<usize>> {
-        let mut all = vec![vec![]; cuts.len()];
+    fn laid_bare(&self, ready: &mut [Prepared], cuts: &mut CutTwice) -> Vec<Vec<usize>> {
+        let mut all = vec![vec![]; ready.len()];
         for _ in 0..ROUNDS {
-            let again: Vec<_> = cuts.iter().map(|cut| cut.again.clone()).collect();
-            let background_patches = background_patches(self.shots, &again, self.radius);
+            let background_patches = background_patches(self.shots, &cuts[1], self.radius);
             let changed: Vec<bool> = background_patches.iter().map(|p| !p.is_empty()).collect();
             if !changed.contains(&true) {
                 break;
@@ -191,26 +167,25 @@ impl Turn<'_> {
     }
 
     /// Each photo that changed cut alone, then again by the evidence of all together.
-    fn together(&self, ready: &mut [Prepared], changed: &[bool], cuts: &mut [CutTwice]) {
+    fn together(&self, ready: &mut [Prepared], changed: &[bool], cuts: &mut CutTwice) {
         let cut = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
-        let all = cuts.par_iter_mut().zip(&*ready).zip(changed);
+        let [alone, again] = cuts;
+        let all = alone.par_iter_mut().zip(&*ready).zip(changed);
         all.filter(|(_, changed)| **changed)
-            .for_each(|((cuts, ready), _)| cuts.alone = cut(ready));
-        let agreement = Agreement::of(&self.masks(cuts), self.cameras);
-        let all = cuts.par_iter_mut().zip(ready).zip(self.shots).zip(changed);
+            .for_each(|((alone, ready), _)| *alone = cut(ready));
+        let masks = self.shots.iter().zip(&*alone);
+        let masks: Vec<(PhotoId, Mask)> = masks
+            .filter_map(|(shot, cut)| Some((shot.id, as_mask(cut.as_ref()?))))
+            .collect();
+        let agreement = Agreement::of(&masks, self.cameras);
+        let all = again.par_iter_mut().zip(ready).zip(self.shots).zip(changed);
         all.filter(|(_, changed)| **changed)
-            .for_each(|(((cuts, ready), shot), _)| {
+            .for_each(|(((again, ready), shot), _)| {
                 let person = ready.person.clone();
                 ready.add_odds(agreement.odds(shot.id));
-                cuts.again = cut(ready);
+                *again = cut(ready);
                 (ready.person, ready.unforeseen) = (person, None);
             });
-    }
-
-    fn masks(&self, cuts: &[CutTwice]) -> Vec<(PhotoId, Mask)> {
-        let all = self.shots.iter().zip(cuts);
-        all.filter_map(|(shot, cut)| Some((shot.id, as_mask(cut.alone.as_ref()?))))
-            .collect()
     }
 }
 

@@ -85,23 +85,15 @@ fn contrast(photo: &Rgb) -> Vec<u8> {
 /// Pixels that all photos but one show alike; those that the moving ones enclose apart: what never
 /// changes amid the turn may be a plain body that covers it all the time.
 ///
-/// Returns for each pixel whether it is still background (`Some(true)`), is enclosed by the
-/// turn and may always show the body (`Some(false)`), or changes.
-pub(crate) fn still(photos: &[Rgb]) -> Image<Option<bool>> {
-    let fixed = fixed(photos);
-    let apart = enclosed(&fixed);
-    let verdict = |i: usize| fixed.data[i].then(|| !apart.data[i]);
-    raster(
-        fixed.width,
-        fixed.height,
-        (0..fixed.data.len()).map(verdict).collect(),
-    )
+/// Returns for each pixel whether it is still background.
+pub fn still(photos: &[&Rgb]) -> Vec<bool> {
+    around(&fixed(photos))
 }
 
 /// Pixels that all photos but one show alike.
-fn fixed(photos: &[Rgb]) -> Image<bool> {
+fn fixed(photos: &[&Rgb]) -> Image<bool> {
     let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
-    let rough: Vec<Vec<u8>> = photos.par_iter().map(contrast).collect();
+    let rough: Vec<Vec<u8>> = photos.par_iter().map(|p| contrast(p)).collect();
     let one = |i: usize| {
         let colors: Vec<[u8; 3]> = photos.iter().map(|p| p.data[i]).collect();
         let shared = rough.iter().map(|r| r[i]).min().unwrap_or(0);
@@ -111,8 +103,8 @@ fn fixed(photos: &[Rgb]) -> Image<bool> {
     raster(w, h, (0..w * h).into_par_iter().map(one).collect())
 }
 
-/// Which fixed pixels cannot be reached from the photo's border over fixed ones: they are amid what changes.
-fn enclosed(fixed: &Image<bool>) -> Image<bool> {
+/// Which fixed pixels are reached from the photo's border over fixed ones: the rest is amid what changes.
+fn around(fixed: &Image<bool>) -> Vec<bool> {
     let (w, h) = (fixed.width, fixed.height);
     // Gaps of three pixels in the ring of change around the body are closed.
     let open = thinned(fixed, 2);
@@ -133,8 +125,8 @@ fn enclosed(fixed: &Image<bool>) -> Image<bool> {
     }
     // What was thinned away beside what was reached belongs to it.
     let near = thinned(&reached.map(|r| !r), 3);
-    let apart = |i: usize| fixed.data[i] && near.data[i];
-    raster(w, h, (0..w * h).map(apart).collect())
+    let both = fixed.data.iter().zip(&near.data);
+    both.map(|(fixed, apart)| *fixed && !apart).collect()
 }
 
 /// Pixels whose whole neighbourhood is true: a square of `reach` pixels to each side.
@@ -183,9 +175,11 @@ mod tests {
     #[test]
     fn what_never_changes_amid_the_turn_is_body_and_outside_of_it_background() {
         let photos = turn(&mut proof::Dice(1));
-        let still = still(&photos);
-        assert_eq!(still.at(5, 5), Some(true));
-        assert_eq!(still.at(31, 20), Some(false));
-        assert_eq!(still.at(23, 20), None);
+        let photos: Vec<&Rgb> = photos.iter().collect();
+        let (fixed, still) = (fixed(&photos), still(&photos));
+        let at = |x: usize, y: usize| (fixed.at(x, y), still[y * 60 + x]);
+        assert_eq!(at(5, 5), (true, true));
+        assert_eq!(at(31, 20), (true, false));
+        assert_eq!(at(23, 20), (false, false));
     }
 }
