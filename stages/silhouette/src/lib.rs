@@ -84,7 +84,7 @@ pub use border::full_size::fine;
 pub use border::stage::{Border, BorderInput, BorderParams};
 pub use cut::least_cut::Known;
 pub use cut::maxflow::{Grid, STEPS};
-pub use empty_scene::recurring::recurring;
+pub use empty_scene::recurring::Recurring;
 pub use empty_scene::stage::{EmptyScene, EmptySceneInput, EmptySceneParams};
 pub use empty_scene::without_plate::{Cuts, without_plate};
 pub use grabcut::{GrabCut, GrabCutInput};

@@ -88,9 +88,9 @@ struct Unlike {
 }
 
 impl Unlike {
-    /// Measured: less than half of what is open to both shows something else in one of them.
-    fn of(far: &[f32], open: &dyn Fn(usize) -> bool, steep: &dyn Fn(usize) -> f32) -> Self {
-        let some = || (0..far.len()).step_by(3).filter(|i| open(*i));
+    /// Measured: less than half shows something else in one of them.
+    fn of(far: &[f32], steep: &dyn Fn(usize) -> f32) -> Self {
+        let some = || (0..far.len()).step_by(3);
         let middle = |mut values: Vec<f32>| {
             let rank = values.len() * 2 / 5;
             match values.is_empty() {
@@ -116,70 +116,55 @@ impl Unlike {
     }
 }
 
-/// What photos that share it pixel for pixel agree on. `hidden` names the photos (first) and pixels
-/// (second) that cannot show it; `least` is the agreement with other photos, each of which gives 1 at most,
-/// that makes a pixel seen.
-pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> Backdrop {
-    let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
-    let pairwise = Pairwise::of(photos, hidden);
-    let rows: Vec<Vec<Option<[u8; 3]>>> = (0..h)
-        .into_par_iter()
-        .map(|y| {
-            let row = y * w..(y + 1) * w;
-            row.map(|i| pairwise.common(photos, i, least)).collect()
-        })
-        .collect();
-    let colors = rows.concat();
-    let shown = colors.iter().map(|color| color.unwrap_or([0; 3]));
-    Backdrop {
-        image: raster(w, h, shown.collect()),
-        seen: raster(w, h, colors.iter().map(Option::is_some).collect()),
-    }
-}
-
-/// Photos compared with each other.
-struct Pairwise {
-    photos: usize,
+/// Photos compared with each other, to find what those that share it pixel for pixel agree on.
+pub struct Recurring<'a> {
+    photos: &'a [Rgb],
     pairs: Vec<(usize, usize)>,
     /// How far each pair agrees at each pixel, in 255ths.
     agreement: Vec<Vec<u8>>,
 }
 
-impl Pairwise {
-    fn of(photos: &[Rgb], hidden: Option<&[Image<bool>]>) -> Self {
+impl<'a> Recurring<'a> {
+    /// Of photos of one size.
+    pub fn of(photos: &'a [Rgb]) -> Self {
         let pairs = pairs(photos.len());
         let rough: Vec<Vec<f32>> = photos.par_iter().map(contrast).collect();
-        let open = |k: usize, i: usize| hidden.is_none_or(|hidden| !hidden[k].data[i]);
-        let agreement = pairs
-            .par_iter()
-            .map(|(a, b)| {
-                let far = differences(&photos[*a], &photos[*b]);
-                let both = |i: usize| open(*a, i) && open(*b, i);
-                let steep = |i: usize| rough[*a][i].min(rough[*b][i]);
-                let unlike = Unlike::of(&far, &both, &steep);
-                let one = |i: usize| {
-                    let share = 1.0 - far[i] / unlike.most(steep(i));
-                    (if both(i) { share.max(0.0) } else { 0.0 } * 255.0) as u8
-                };
-                (0..far.len()).map(one).collect()
-            })
-            .collect();
-        Pairwise {
-            photos: photos.len(),
+        let agreement = pairs.par_iter().map(|(a, b)| {
+            let far = differences(&photos[*a], &photos[*b]);
+            let steep = |i: usize| rough[*a][i].min(rough[*b][i]);
+            let unlike = Unlike::of(&far, &steep);
+            let share = |i: usize| (1.0 - far[i] / unlike.most(steep(i))).max(0.0);
+            (0..far.len()).map(|i| (share(i) * 255.0) as u8).collect()
+        });
+        Recurring {
+            agreement: agreement.collect(),
+            photos,
             pairs,
-            agreement,
+        }
+    }
+
+    /// What they show. `hidden` names the photos (first) and pixels (second) that cannot show it; `least` is the agreement with
+    /// other photos, each of which gives 1 at most, that makes a pixel seen.
+    pub fn shown(&self, hidden: Option<&[Image<bool>]>, least: f32) -> Backdrop {
+        let (w, h) = self.photos.first().map_or((0, 0), |p| (p.width, p.height));
+        let one = |i: usize| self.common(i, hidden, least);
+        let colors: Vec<Option<[u8; 3]>> = (0..w * h).into_par_iter().map(one).collect();
+        let shown = colors.iter().map(|color| color.unwrap_or([0; 3]));
+        Backdrop {
+            image: raster(w, h, shown.collect()),
+            seen: raster(w, h, colors.iter().map(Option::is_some).collect()),
         }
     }
 
     /// What most photos show at a pixel; `None` where too few agree.
-    fn common(&self, photos: &[Rgb], i: usize, least: f32) -> Option<[u8; 3]> {
+    fn common(&self, i: usize, hidden: Option<&[Image<bool>]>, least: f32) -> Option<[u8; 3]> {
+        let open = |k: usize| hidden.is_none_or(|hidden| !hidden[k].data[i]);
         let agreement = || {
-            self.pairs
-                .iter()
-                .zip(&self.agreement)
-                .map(|(p, a)| (p, a[i]))
+            let all = self.pairs.iter().zip(&self.agreement);
+            let shown = all.filter(|((a, b), _)| open(*a) && open(*b));
+            shown.map(|(pair, agreement)| (pair, agreement[i]))
         };
-        let mut worth = vec![0u32; self.photos];
+        let mut worth = vec![0u32; self.photos.len()];
         for ((a, b), share) in agreement() {
             worth[*a] += u32::from(share);
             worth[*b] += u32::from(share);
@@ -197,7 +182,7 @@ impl Pairwise {
         let count = agree.len() as u32;
         let mut sum = [0u32; 3];
         for k in &agree {
-            (0..3).for_each(|c| sum[c] += u32::from(photos[*k].data[i][c]));
+            (0..3).for_each(|c| sum[c] += u32::from(self.photos[*k].data[i][c]));
         }
         Some(sum.map(|s| ((s + count / 2) / count) as u8))
     }

@@ -3,7 +3,7 @@
 use crate::align::rectangle::Rectangle;
 use crate::cut::least_cut::Known;
 use crate::empty_scene::background_patches::background_patches;
-use crate::empty_scene::recurring::recurring;
+use crate::empty_scene::recurring::Recurring;
 use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
@@ -52,7 +52,8 @@ pub fn without_plate(
 ) -> Cuts {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
-    let mut backdrop = recurring(&smalls, None, MUST_AGREE);
+    let recurring = Recurring::of(&smalls);
+    let mut backdrop = recurring.shown(None, MUST_AGREE);
     without_islands(&mut backdrop.seen);
     // What never changes may be the crown of a head, but then it is enclosed by what changes.
     let always_bare = still.iter().zip(&backdrop.seen.data);
@@ -68,7 +69,7 @@ pub fn without_plate(
     };
     let body = body_colors(shots, &backdrop, radius);
     if let Some(body) = &body {
-        glimpsed(&mut backdrop, &smalls, body);
+        glimpsed(&mut backdrop, &recurring, &smalls, body);
         without_islands(&mut backdrop.seen);
     }
     let covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
@@ -203,10 +204,10 @@ fn evident(shots: &[Shot], ready: &[Prepared], radius: f64) -> Option<Gmm> {
 
 /// Adds to the background what two photos suffice to show: that they have the same to the level, in a
 /// colour that the body has not.
-fn glimpsed(backdrop: &mut Backdrop, smalls: &[Rgb], body: &Gmm) {
+fn glimpsed(backdrop: &mut Backdrop, recurring: &Recurring<'_>, smalls: &[Rgb], body: &Gmm) {
     let likely = |c: &[u8; 3]| body_cost(body, *c) < STRANGE;
     let hidden: Vec<Image<bool>> = smalls.par_iter().map(|s| s.map(likely)).collect();
-    let more = recurring(smalls, Some(&hidden), MIN_AGREEMENT);
+    let more = recurring.shown(Some(&hidden), MIN_AGREEMENT);
     for i in 0..backdrop.seen.data.len() {
         if !backdrop.seen.data[i] && more.seen.data[i] {
             backdrop.seen.data[i] = true;

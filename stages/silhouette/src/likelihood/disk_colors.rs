@@ -17,18 +17,9 @@ const RIM_FROM: f64 = 0.6;
 /// A pixel that is off the background by so much in all channels together is not the background. \[levels\]
 const OFF: u32 = 90;
 
-/// What a colour costs as the disk's where nobody saw it: as one of its colours elsewhere, in light
-/// or in shadow.
+/// What a colour costs as the disk's where nobody saw it: as one of its colours elsewhere.
 pub(crate) fn disk_cost(disk: Option<&Gmm>, color: [u8; 3]) -> f32 {
-    let Some(disk) = disk else {
-        return UNSEEN;
-    };
-    let lit = |(light, price): (f32, f32)| {
-        let bright = color.map(|c| (f32::from(c) * light).min(255.0) as u8);
-        disk.cost(bright) as f32 + price
-    };
-    let shades = [(1.0, 0.0), (1.35, 0.7), (1.8, 1.2)];
-    shades.map(lit).into_iter().fold(f32::MAX, f32::min) + ELSEWHERE
+    disk.map_or(UNSEEN, |disk| disk.cost(color) as f32 + ELSEWHERE)
 }
 
 /// Some colours at most, spread evenly, as a mixture.

@@ -16,7 +16,7 @@ use crate::scene::disk_map::RIM;
 use crate::scene::disk_plane::{DiskTop, on_disk};
 use nalgebra::{Point2, Point3};
 use rayon::prelude::*;
-use shape::{Aligned, ByPhoto, Camera, Cameras, Mask, PhotoEvidence, PhotoId, Rgb};
+use shape::{Aligned, ByPhoto, Camera, Mask, PhotoEvidence, PhotoId, Rgb};
 
 /// Cells beside the hull in which it may be mirrored, too (derived: a cell's own size and a coat, as far as the hull may be off).
 const COAT: f64 = 2.0;
@@ -27,8 +27,6 @@ const OUTLIER: f32 = 2.5;
 const ROUNDS: usize = 4;
 /// Levels of files go by about this power of the light (IEC 61966-2-1, 1999).
 const GAMMA: f32 = 2.2;
-/// The disk mirrors what is not higher above it than it is wide (derived: before cameras that look down by no more than 45°).
-const MIRRORED_RADII: f64 = 2.0;
 
 /// A reduced photo's evidence, and what the photo would show without the body and its reflection.
 pub(crate) type Weighed = (PhotoEvidence, Rgb);
@@ -39,26 +37,13 @@ type Sample = ([f32; 3], [f32; 3]);
 /// less than it leaves.
 pub(crate) fn gained(all: &ByPhoto<Weighed>, aligned: &Aligned) -> Option<ByPhoto<Vec<f32>>> {
     let (cameras, radius) = (aligned_alike(aligned)?, aligned.disk_radius_mm()? * RIM);
-    // Bare feet below leggings have colours of the hands: the body is what explains most.
-    let tried = [MIRRORED_RADII * radius, f64::MAX].map(|low| by(all, &cameras, radius, low));
-    let best = tried.into_iter().flatten();
-    Some(best.min_by(|a, b| a.0.total_cmp(&b.0))?.1)
-}
-
-/// The same with the share that it leaves, by a body that has on the disk the colours of what is so low beyond it.
-fn by(
-    all: &ByPhoto<Weighed>,
-    cameras: &Cameras,
-    radius: f64,
-    low: f64,
-) -> Option<(f32, ByPhoto<Vec<f32>>)> {
     let mask = |(id, (evidence, _)): (PhotoId, &Weighed)| {
         let [width, height] = [evidence.photo.width, evidence.photo.height].map(|v| v as u32);
         let camera = cameras.views.get(id)?.camera.resized(width, height);
-        Some((id, body(evidence, &camera, radius, low)))
+        Some((id, body(evidence, &camera, radius)))
     };
     let masks: Vec<(PhotoId, Mask)> = all.iter().filter_map(mask).collect();
-    let together = Together::of(&masks, cameras)?;
+    let together = Together::of(&masks, &cameras)?;
     let solid: Vec<bool> = together.against.iter().map(|n| *n <= DISSENT).collect();
     let wide = together.block.grown(&together.block.grown(&solid));
     let one = |view: &View<'_>| {
@@ -76,11 +61,11 @@ fn by(
     };
     let each: Vec<_> = together.views.par_iter().filter_map(one).collect();
     let samples = each.iter().flat_map(|(_, _, samples)| samples);
-    let (gloss, left) = Gloss::of(samples.copied().collect())?;
+    let gloss = Gloss::of(samples.copied().collect())?;
     let gain = |light: Option<[f32; 3]>| light.map_or([0.0; 3], |light| gloss.gain(light));
     let gains = |light: Vec<Option<[f32; 3]>>| light.into_iter().flat_map(gain).collect();
     let gains = each.into_iter().map(|(id, light, _)| (id, gains(light)));
-    Some((left, gains.collect()))
+    Some(gains.collect())
 }
 
 /// What a photo would show without the body but with its reflection, by what each of its reduced pixels gains.
@@ -99,16 +84,14 @@ pub(crate) fn mirroring(without: &Rgb, gained: &[f32], factor: usize) -> Rgb {
     image
 }
 
-/// What evidently is no scene, and on the disk has a colour of what is so beyond it and so low.
-fn body(evidence: &PhotoEvidence, camera: &Camera, radius: f64, low: f64) -> Mask {
+/// What evidently is no scene, and on the disk has a colour of what is so beyond it.
+fn body(evidence: &PhotoEvidence, camera: &Camera, radius: f64) -> Mask {
     let photo = &evidence.photo;
     let size = [photo.width, photo.height];
     let mut shown = evident(&evidence.background, &evidence.known, size);
-    let at = |i: usize| Point2::new((i % photo.width) as f64, (i / photo.width) as f64);
     let top = DiskTop::of(camera, radius, size);
     let on = |i: usize| top.at(i % photo.width, i / photo.width).is_some();
-    let low = |i: usize| camera.height_at_axis(at(i)) < low;
-    let above = (0..photo.data.len()).filter(|i| shown.data[*i] && low(*i) && !on(*i));
+    let above = (0..photo.data.len()).filter(|i| shown.data[*i] && !on(*i));
     let colors: Vec<[u8; 3]> = above.map(|i| photo.data[i]).collect();
     if let Some(colors) = mixture(&colors) {
         for i in (0..photo.data.len()).filter(|i| on(*i)) {
@@ -127,8 +110,8 @@ struct Gloss {
 }
 
 impl Gloss {
-    /// By all that is no outlier, with the share that it leaves of what was gained.
-    fn of(mut samples: Vec<Sample>) -> Option<(Gloss, f32)> {
+    /// By all that is no outlier, if it explains half of what was gained.
+    fn of(mut samples: Vec<Sample>) -> Option<Gloss> {
         let mut gloss = Gloss::fitted(&samples)?;
         for _ in 1..ROUNDS {
             let mean = gloss.left_of(&samples);
@@ -139,8 +122,7 @@ impl Gloss {
             share: 0.0,
             empty: [0.0; 3],
         };
-        let left = gloss.left_of(&samples) / matt.left_of(&samples);
-        (left < 0.5).then_some((gloss, left))
+        (gloss.left_of(&samples) < 0.5 * matt.left_of(&samples)).then_some(gloss)
     }
 
     /// By least squares.

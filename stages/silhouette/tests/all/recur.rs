@@ -1,7 +1,7 @@
 //! What photos of a turn share to the level is background, and a body that has turned is not.
 
 use shape::{Image, Rgb};
-use silhouette::recurring;
+use silhouette::Recurring;
 
 /// A wall before which a plain block swings to and fro; turning changes its shade.
 fn turn(dice: &mut proof::Dice) -> (Rgb, Vec<Rgb>) {
@@ -34,7 +34,7 @@ fn turn(dice: &mut proof::Dice) -> (Rgb, Vec<Rgb>) {
 #[test]
 fn the_wall_is_found_though_a_plain_body_covers_it_most_of_the_time() {
     let (wall, photos) = turn(&mut proof::Dice(2));
-    let reported = recurring(&photos, None, 1.0);
+    let reported = Recurring::of(&photos).shown(None, 1.0);
     let off = |x: usize| {
         let (got, want) = (reported.image.at(x, 20), wall.at(x, 20));
         (0..3).map(|c| got[c].abs_diff(want[c])).max().unwrap()
@@ -57,8 +57,14 @@ fn hidden_photos_are_not_asked() {
             .for_each(|i| photo.data[i] = [9, 90, 9]);
     }
     let hidden: Vec<Image<bool>> = (0..12).map(|k| Image::filled(60, 40, k < 7)).collect();
-    assert_eq!(recurring(&photos, None, 1.0).image.at(5, 20), [9, 90, 9]);
-    let reported = recurring(&photos, Some(&hidden), 1.0).image.at(5, 20);
+    assert_eq!(
+        Recurring::of(&photos).shown(None, 1.0).image.at(5, 20),
+        [9, 90, 9]
+    );
+    let reported = Recurring::of(&photos)
+        .shown(Some(&hidden), 1.0)
+        .image
+        .at(5, 20);
     assert!((0..3).all(|c| reported[c].abs_diff(wall.at(5, 20)[c]) <= 2));
 }
 
@@ -73,7 +79,7 @@ fn a_crown_that_hardly_changes_while_it_turns_is_no_background() {
             photo.data[i] = [0, 1, 2].map(|_| (level + dice.within(-1.5, 1.5)).round() as u8);
         }
     }
-    let seen = recurring(&photos, None, 1.0).seen;
+    let seen = Recurring::of(&photos).shown(None, 1.0).seen;
     let count = |from: usize, to: usize| {
         let within = |i: &usize| (from..to).contains(&(i % 60));
         (0..2400).filter(within).filter(|i| seen.data[*i]).count()
