@@ -39,6 +39,17 @@ pub(crate) fn params(row: &Row) -> Vec<(String, String)> {
     variant.chain(values).chain(replicate).collect()
 }
 
+/// The names of what varies, as the first row has them.
+pub(crate) fn names(rows: &[Row]) -> Vec<String> {
+    let first = rows.first().map_or(vec![], params);
+    first.into_iter().map(|(name, _)| name).collect()
+}
+
+/// What each of them is in a row.
+pub(crate) fn values(row: &Row) -> Vec<String> {
+    params(row).into_iter().map(|(_, value)| value).collect()
+}
+
 /// Why a row has no result.
 pub(crate) fn trouble(row: &Row) -> Option<String> {
     match &row.end {

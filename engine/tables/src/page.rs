@@ -1,6 +1,6 @@
 //! A sweep as one page: each number over each param, maps, all of them side by side, what differs, its tables.
 
-use super::cells::{cell, columns, params, short, trouble};
+use super::cells::{cell, columns, names, short, trouble, values};
 use super::given::{pairs_head, pairs_row, spread_cells};
 use super::html;
 use super::paired::{Pairs, of_variants};
@@ -213,12 +213,7 @@ fn spread_table(groups: &[Group]) -> String {
 
 fn points_table(rows: &[Row], behind: &dyn Fn(&Row) -> Behind, repeated: bool) -> String {
     let columns = columns(rows);
-    let mut head: Vec<String> = rows
-        .first()
-        .map_or(vec![], params)
-        .into_iter()
-        .map(|p| p.0)
-        .collect();
+    let mut head = names(rows);
     let units = columns.iter().map(|(name, unit)| match unit.is_empty() {
         true => name.clone(),
         false => format!("{name} [{unit}]"),
@@ -226,7 +221,7 @@ fn points_table(rows: &[Row], behind: &dyn Fn(&Row) -> Behind, repeated: bool) -
     head.extend(units);
     head.extend(["made", "time", "trouble", "behind it"].map(String::from));
     let cells = |row: &Row| {
-        let mut cells: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
+        let mut cells = values(row);
         cells.extend(
             columns
                 .iter()

@@ -1,7 +1,7 @@
 //! The rows of a sweep as text, CSV and JSON.
 
 use super::aligned;
-use super::cells::{cell, columns, params, short, trouble};
+use super::cells::{cell, columns, names, params, short, trouble, values};
 use super::given::{pairs_text, replicates_text};
 use super::paired::{Pairs, of_variants};
 use super::reported::Reported;
@@ -38,18 +38,18 @@ pub fn text(about: &str, rows: &[Row]) -> String {
 /// A row a point.
 fn of_points(rows: &[Row]) -> String {
     let columns = columns(rows);
-    let named = rows.first().map_or(vec![], params);
+    let named = names(rows);
     let texts = named.len();
     let failed = rows.iter().any(|r| r.end != End::Done);
     let units = columns.iter();
     let units = units.map(|(n, u)| format!("{n} {u}").trim_end().to_owned());
     let mut table = aligned::table();
-    let head = named.into_iter().map(|p| p.0).chain(units);
+    let head = named.into_iter().chain(units);
     let head = head.chain(["made".to_owned(), "time".to_owned()]);
     table.add_row(head.chain(failed.then(String::new)));
     for row in rows {
         let number = |(name, _): &(String, String)| cell(row, name).map_or("-".into(), short);
-        let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
+        let mut line = values(row);
         line.extend(columns.iter().map(number));
         line.extend([row.made.to_string(), format!("{:.1} s", row.seconds)]);
         line.extend(failed.then(|| trouble(row).unwrap_or_default()));
@@ -86,12 +86,7 @@ pub(crate) fn summary(rows: &[Row]) -> String {
 /// One line a point.
 pub fn csv(rows: &[Row]) -> String {
     let columns = columns(rows);
-    let mut head: Vec<String> = rows
-        .first()
-        .map_or(vec![], params)
-        .into_iter()
-        .map(|p| p.0)
-        .collect();
+    let mut head = names(rows);
     head.extend(
         columns
             .iter()
@@ -110,7 +105,7 @@ pub fn csv(rows: &[Row]) -> String {
     );
     let mut lines = vec![head];
     for row in rows {
-        let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
+        let mut line = values(row);
         line.extend(
             columns
                 .iter()
