@@ -12,7 +12,7 @@
 mod made_bodies;
 
 use made_bodies::{Fault, read, written};
-use measure::{BodyInput, FindBody, FindLandmarks, GirthInput, LandmarkInput, Measure};
+use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
 use stage::{Ctx, Stage};
 use std::path::Path;
 use std::sync::Arc;
@@ -41,21 +41,14 @@ fn main() -> Result<(), Fault> {
 
 /// The rows of one body.
 fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
-    let mut made = read(path)?;
-    let mesh = Arc::new(std::mem::take(&mut made.mesh));
-    let input = BodyInput {
-        mesh: mesh.clone(),
-        cameras: None,
-        levels: None,
-    };
+    let made = read(path)?;
     let stopped = |s: stage::Stop| match s {
         stage::Stop::Failed(e) => e.to_string(),
         stage::Stop::Cancelled => "cancelled".into(),
     };
-    let features = FindBody::run(&(), input, &Ctx::alone()).map_err(stopped)?;
-    let features = Arc::new(features);
+    let features = Arc::new(made.features().map_err(stopped)?);
     let input = LandmarkInput {
-        mesh: mesh.clone(),
+        mesh: made.mesh.clone(),
         features: features.clone(),
         levels: None,
     };
@@ -63,7 +56,7 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
         FindLandmarks::run(&Default::default(), input, &Ctx::alone()).map_err(stopped)?;
     let hull = std::env::args().nth(2).is_some_and(|word| word == "hull");
     let input = GirthInput {
-        mesh,
+        mesh: made.mesh.clone(),
         features,
         landmarks: Arc::new(landmarks),
         cameras: None,

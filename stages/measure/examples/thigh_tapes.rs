@@ -11,11 +11,9 @@
 mod made_bodies;
 
 use made_bodies::{Fault, read, written};
-use measure::{BodyInput, FindBody, thigh_seen};
+use measure::thigh_seen;
 use shape::Side;
-use stage::{Ctx, Stage};
 use std::path::Path;
-use std::sync::Arc;
 
 fn main() -> Result<(), Fault> {
     written(
@@ -28,14 +26,8 @@ fn main() -> Result<(), Fault> {
 
 /// The rows of one body.
 fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
-    let mut made = read(path)?;
-    let mesh = Arc::new(std::mem::take(&mut made.mesh));
-    let input = BodyInput {
-        mesh: mesh.clone(),
-        cameras: None,
-        levels: None,
-    };
-    let Ok(features) = FindBody::run(&(), input, &Ctx::alone()) else {
+    let made = read(path)?;
+    let Ok(features) = made.features() else {
         return Err(format!("{}: no body", made.id).into());
     };
     let stature = made.truth["stature"]
@@ -47,7 +39,7 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
     let row = |side: Side| {
         let plane = format!("thigh{}", side.suffix().to_lowercase());
         let truth = made.truth["planes"][plane]["tape_clean"].as_f64()?;
-        let seen = thigh_seen(&mesh, &features, side)?;
+        let seen = thigh_seen(&made.mesh, &features, side)?;
         let mut row = vec![
             made.id.clone(),
             side.word().to_owned(),

@@ -6,12 +6,14 @@
     reason = "not every program that reads made bodies asks for all of this"
 )]
 
-use measure::{Body, body, ground};
+use measure::{Body, BodyInput, FindBody, body, ground};
 use rayon::prelude::*;
 use serde_json::Value;
-use shape::Mesh;
+use shape::{BodyFeatures, Mesh};
+use stage::{Ctx, Stage, Stop};
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What goes wrong, from any thread.
 pub(crate) type Fault = Box<dyn Error + Send + Sync>;
@@ -23,7 +25,7 @@ pub(crate) struct MadeBody {
     /// What is true of it.
     pub(crate) truth: Value,
     /// Its surface. \[mm\]
-    pub(crate) mesh: Mesh,
+    pub(crate) mesh: Arc<Mesh>,
 }
 
 /// The folder named on the command line.
@@ -82,7 +84,9 @@ pub(crate) fn read(path: &Path) -> Result<MadeBody, Fault> {
     let number = path.file_stem().unwrap_or_default().to_string_lossy();
     Ok(MadeBody {
         id: format!("{family}/{number}"),
-        mesh: shape::mesh_from_ply(&std::fs::read(path.with_extension("ply"))?)?,
+        mesh: Arc::new(shape::mesh_from_ply(&std::fs::read(
+            path.with_extension("ply"),
+        )?)?),
         truth,
     })
 }
@@ -93,6 +97,16 @@ impl MadeBody {
         let lowest = self.mesh.bounds().map_or(0.0, |b| b.0.z);
         let ground = ground(&self.mesh, None).map_or(lowest, |g| g.height_mm);
         body(&self.mesh, ground)
+    }
+
+    /// What the stage finds on its surface alone.
+    pub(crate) fn features(&self) -> Result<BodyFeatures, Stop> {
+        let input = BodyInput {
+            mesh: self.mesh.clone(),
+            cameras: None,
+            levels: None,
+        };
+        FindBody::run(&(), input, &Ctx::alone())
     }
 
     /// A text of the truth; empty where there is none.
