@@ -1,4 +1,7 @@
 //! A study's table: out of a sweep's rows, as a page, as data, and against what it was.
+//!
+//! A study is a pipeline file with a sweep of the file's own name. Its page and data hang on the results alone: no times, no
+//! machine, so that what differs from the last time moved by itself.
 
 use super::given::{pairs_cells, spread_cells};
 use super::paired::{Pairs, of_variants};
