@@ -3,11 +3,11 @@
 use crate::evidence::contours::pulls;
 use crate::evidence::scene::Scene;
 use crate::geometry::remesh::remesh;
+use crate::motion::gauge::Gauge;
 use crate::motion::normal_equations::point_shifts;
 use crate::motion::params::LookParams;
 use crate::motion::sway::{
     MotionPrior, NormalEquations, add_equations_of_contours, equations_of_brightness, moved,
-    without_gauge,
 };
 use crate::pictures::picture::Picture;
 use crate::pictures::prepare::posed;
@@ -36,7 +36,7 @@ stage::params! {
         /// Rounds.
         #[range(1..=100)]
         #[source(structural)]
-        rounds: u32 = 20,
+        rounds: u32 = 8,
     }
 }
 
@@ -48,7 +48,7 @@ pub struct CompensateMotion;
 
 impl Stage for CompensateMotion {
     const NAME: &'static str = "refine.compensate_motion";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
     type Params = CompensateMotionParams;
     type Input = CompensateMotionInput;
@@ -95,9 +95,6 @@ impl Stage for CompensateMotion {
             );
             steps.tick()?;
         }
-        // Once, at the end: a step is the best one only together with what it shares.
-        let centres: Vec<_> = still.iter().map(Camera::centre).collect();
-        without_gauge(&mut motions, &centres);
         let top = mesh.bounds().map_or(0.0, |(_, hi)| hi.z) - prior.pivot.z;
         let chest = Point3::new(0.0, 0.0, prior.pivot.z + 0.75 * top);
         let far: Vec<f64> = still
@@ -145,22 +142,21 @@ fn one_round(
         let shifts = point_shifts(&scene, prior.footprint);
         equations_of_brightness(pictures.len(), &shifts, prior)
     } else {
-        vec![NormalEquations::NONE; pictures.len()]
+        NormalEquations::none(pictures.len())
     };
     let pulls = pulls(&scene, 6.0);
     add_equations_of_contours(&mut equations, mesh, &scene.normals, &pulls, prior);
-    let before = motions.to_vec();
-    for (m, equations) in motions.iter_mut().zip(&equations) {
-        let step = equations.solve(prior, m);
-        // All photos move at once, each to where the other photos were: a full step would swap neighbours.
-        *m += step * 0.5;
-    }
+    let centres: Vec<_> = still.iter().map(Camera::centre).collect();
+    let moves = equations.solve(prior, &Gauge::new(&centres), motions);
+    motions
+        .iter_mut()
+        .zip(&moves)
+        .for_each(|(m, step)| *m += step);
     for ((picture, camera), motion) in pictures.iter_mut().zip(still).zip(motions.iter()) {
         picture.moved(&moved(camera, motion, &prior.pivot));
     }
-    let change = before.iter().zip(motions.iter()).map(|(b, m)| {
-        let d = m - b;
-        d.fixed_rows::<3>(0).norm() * 1000.0 + d.fixed_rows::<3>(3).norm()
-    });
+    let change = moves
+        .iter()
+        .map(|d| d.fixed_rows::<3>(0).norm() * 1000.0 + d.fixed_rows::<3>(3).norm());
     change.fold(0.0, f64::max)
 }

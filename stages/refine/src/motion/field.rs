@@ -9,7 +9,7 @@
 use crate::evidence::contours::Pull;
 use crate::evidence::scene::Scene;
 use crate::geometry::gradients::conjugate_gradients;
-use crate::motion::normal_equations::PointShift;
+use crate::motion::normal_equations::{PointShift, VertexShifts};
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -40,19 +40,19 @@ pub struct Constraints(Vec<Vec<Constraint>>);
 
 impl Constraints {
     /// From brightness and contours, on pictures that are undeformed as far as is known; without what the surface
-    /// could explain of the `shifts`, one list a vertex.
+    /// could explain of the shifts.
     pub fn new(
         scene: &Scene<'_>,
-        mut shifts: Vec<Vec<PointShift>>,
+        mut vertices: Vec<VertexShifts>,
         contours: &[Pull],
         prior: &FieldPrior,
         footprint: f64,
     ) -> Self {
         let (mesh, pictures) = (scene.mesh, scene.pictures);
-        let at_vertices = shifts.par_iter_mut().zip(&scene.normals);
-        at_vertices.for_each(|(shifts, normal)| without_depth(shifts, normal));
+        let at_vertices = vertices.par_iter_mut().zip(&scene.normals);
+        at_vertices.for_each(|(vertex, normal)| without_depth(&mut vertex.shifts, normal));
         let mut constraints = Constraints(pictures.iter().map(|_| vec![]).collect());
-        for t in shifts.iter().flatten() {
+        for t in vertices.iter().flat_map(|v| &v.shifts) {
             constraints.add(pictures, t);
         }
         for p in contours {

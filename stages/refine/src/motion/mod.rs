@@ -4,6 +4,7 @@
 pub(crate) mod compensate;
 pub(crate) mod deformation;
 pub mod field;
+pub mod gauge;
 pub mod normal_equations;
 pub mod params;
 pub mod sway;

@@ -23,8 +23,17 @@ pub struct PointShift {
     pub stiffness: f64,
 }
 
-/// The equations at each vertex of a surface: two a photo at most, in order.
-pub fn point_shifts(scene: &Scene<'_>, footprint: f64) -> Vec<Vec<PointShift>> {
+/// What photos show of one vertex.
+#[derive(Debug, Clone, Default)]
+pub struct VertexShifts {
+    /// Two a photo at most, in order.
+    pub shifts: Vec<PointShift>,
+    /// The pictures whose mean each of these is compared with, without itself, and their weights.
+    pub seen: Vec<(u16, f64)>,
+}
+
+/// The equations at each vertex of a surface.
+pub fn point_shifts(scene: &Scene<'_>, footprint: f64) -> Vec<VertexShifts> {
     let (_, shifts) = Visibility::with(
         scene,
         |_| None,
@@ -48,12 +57,14 @@ fn normal_equations_at(
     looks: &[Look<2>],
     window: &Window,
     footprint: f64,
-) -> Vec<PointShift> {
+) -> VertexShifts {
     let count = window.len();
-    let mut equations = vec![];
+    let mut equations = VertexShifts::default();
     if seen.len() < 2 {
         return equations;
     }
+    let weights = seen.iter().map(|v| (v.picture, f64::from(v.weight)));
+    equations.seen.extend(weights);
     for (i, view) in seen.iter().enumerate() {
         let mut rest_mean = [0.0f32; MOST_POINTS];
         let mut weight = 0.0;
@@ -89,15 +100,16 @@ fn normal_equations_at(
                 continue;
             }
             let pull = vectors[k][0] * f64::from(ra) + vectors[k][1] * f64::from(rb);
-            let gap = pull / values[k];
+            // Agreement at a shift d of the photo is agree + pull d − agree values d² / 2.
+            let gap = pull / (values[k] * f64::from(agree));
             // A shift of many pixels is more than this look can show.
             let sure = (2.0 * footprint / gap.abs().max(1e-9)).min(1.0);
-            equations.push(PointShift {
+            equations.shifts.push(PointShift {
                 picture: view.picture,
                 x: frame.x,
                 direction: u * vectors[k][0] + v * vectors[k][1],
                 gap,
-                stiffness: values[k] * f64::from(view.weight * weight * agree) * sure,
+                stiffness: values[k] * f64::from(view.weight * weight * agree * agree) * sure,
             });
         }
     }

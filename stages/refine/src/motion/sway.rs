@@ -5,10 +5,14 @@
 //! wherever the surface carries texture, and the silhouette's contour everywhere.
 
 use crate::evidence::contours::Pull;
-use crate::motion::normal_equations::PointShift;
-use nalgebra::{Matrix3, Matrix6, Point3, Rotation3, Vector3, Vector6};
+use crate::motion::gauge::Gauge;
+use crate::motion::normal_equations::{PointShift, VertexShifts};
+use nalgebra::{DMatrix, DVector, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
 use shape::{Camera, Mesh, Pose};
+
+/// Parts in which equations are summed. (structural)
+const CHUNKS: usize = 16;
 
 /// How strictly motions are limited.
 #[derive(Debug, Clone, Copy)]
@@ -25,30 +29,30 @@ pub struct MotionPrior {
     pub footprint: f64,
 }
 
-/// Where a photo's motion is pulled: normal equations of six numbers, turn first, then shift.
-#[derive(Debug, Clone, Copy)]
+/// Where the motions of all photos are pulled, together: normal equations of six numbers a photo, turn first, then shift.
+///
+/// Each photo is compared with the mean of the rest, which move as well: where photo `i` should move by `gap` along
+/// `row`, it is `stiffness · row · (m_i − Σ_j share_j m_j) = stiffness · gap` to first order. Moved one by one, each
+/// to where the rest were, photos close in on a common place slowly; solved together, at once (Newton).
+#[derive(Debug, Clone)]
 pub struct NormalEquations {
-    matrix: Matrix6<f64>,
-    vector: Vector6<f64>,
+    matrix: DMatrix<f64>,
+    vector: DVector<f64>,
 }
 
 impl NormalEquations {
-    /// No equations.
-    pub const NONE: NormalEquations = NormalEquations {
-        matrix: Matrix6::from_array_storage(nalgebra::ArrayStorage([[0.0; 6]; 6])),
-        vector: Vector6::from_array_storage(nalgebra::ArrayStorage([[0.0; 6]; 1])),
-    };
+    /// No equations for so many photos.
+    pub fn none(photos: usize) -> Self {
+        NormalEquations {
+            matrix: DMatrix::zeros(6 * photos, 6 * photos),
+            vector: DVector::zeros(6 * photos),
+        }
+    }
 
-    /// A point that should move by `gap` along `direction`, so stiffly.
-    fn add(
-        &mut self,
-        prior: &MotionPrior,
-        x: &Point3<f64>,
-        direction: &Vector3<f64>,
-        gap: f64,
-        stiffness: f64,
-    ) {
-        let turn = (x - prior.pivot).cross(direction);
+    /// A point that photo `i` should move by `gap` along `direction`, so stiffly, against photos by their shares.
+    fn add(&mut self, prior: &MotionPrior, point: &PointShift, against: &[(u16, f64)]) {
+        let (direction, i) = (&point.direction, point.picture);
+        let turn = (point.x - prior.pivot).cross(direction);
         let row = Vector6::new(
             turn.x,
             turn.y,
@@ -57,52 +61,87 @@ impl NormalEquations {
             direction.y,
             direction.z,
         );
-        self.matrix += row * row.transpose() * stiffness;
-        self.vector += row * (gap * stiffness);
+        let square = row * row.transpose() * point.stiffness;
+        let mut block = |j: u16, share: f64| {
+            let mut block = self
+                .matrix
+                .fixed_view_mut::<6, 6>(6 * i as usize, 6 * j as usize);
+            block += square * share;
+        };
+        block(i, 1.0);
+        let rest = || against.iter().filter(|(j, _)| *j != i);
+        let weight: f64 = rest().map(|(_, w)| w).sum();
+        rest().for_each(|(j, w)| block(*j, -w / weight));
+        let mut vector = self.vector.fixed_rows_mut::<6>(6 * i as usize);
+        vector += row * (point.gap * point.stiffness);
     }
 
-    /// The motion that gives in to the equation, limited by the prior; `now` is the motion so far.
-    pub fn solve(&self, prior: &MotionPrior, now: &Vector6<f64>) -> Vector6<f64> {
+    /// The motions that give in to the equations, limited by the prior; `now` are the motions so far.
+    pub fn solve(
+        mut self,
+        prior: &MotionPrior,
+        gauge: &Gauge,
+        now: &[Vector6<f64>],
+    ) -> Vec<Vector6<f64>> {
+        if now.is_empty() {
+            return vec![];
+        }
         let (turn, shift) = (prior.turn.powi(-2), prior.shift_mm.powi(-2));
-        let prior = Vector6::new(turn, turn, turn, shift, shift, shift);
-        let matrix = self.matrix + Matrix6::from_diagonal(&prior);
-        let vector = self.vector - prior.component_mul(now);
+        for (k, now) in now.iter().flatten().enumerate() {
+            let prior = if k % 6 < 3 { turn } else { shift };
+            self.matrix[(k, k)] += prior;
+            self.vector[k] -= prior * now;
+        }
+        // Lagrange: no step along what is none of the body's.
+        let (n, k) = gauge.columns().shape();
+        let mut matrix = self.matrix.resize(n + k, n + k, 0.0);
+        matrix.view_mut((0, n), (n, k)).copy_from(gauge.columns());
         matrix
-            .cholesky()
-            .map_or_else(Vector6::zeros, |c| c.solve(&vector))
+            .view_mut((n, 0), (k, n))
+            .copy_from(&gauge.columns().transpose());
+        let steps = matrix
+            .lu()
+            .solve(&self.vector.resize_vertically(n + k, 0.0));
+        let step = |i| {
+            steps
+                .as_ref()
+                .map_or_else(Vector6::zeros, |s| s.fixed_rows::<6>(6 * i).into())
+        };
+        (0..now.len()).map(step).collect()
     }
 }
 
-/// What brightness gives for each of `pictures` photos' motion, from the equations at each vertex.
+/// What brightness gives for the motions of `pictures` photos, from the equations at each vertex.
 pub fn equations_of_brightness(
     pictures: usize,
-    shifts: &[Vec<PointShift>],
+    vertices: &[VertexShifts],
     prior: &MotionPrior,
-) -> Vec<NormalEquations> {
-    let chunks: Vec<Vec<NormalEquations>> = shifts
-        .par_chunks(512)
-        .map(|shifts| {
-            let mut equations = vec![NormalEquations::NONE; pictures];
-            for t in shifts.iter().flatten() {
-                let equation = &mut equations[t.picture as usize];
-                equation.add(prior, &t.x, &t.direction, t.gap, t.stiffness);
+) -> NormalEquations {
+    // So many sums are in memory at once, whatever threads there are: each is a matrix of all photos.
+    let chunk = vertices.len().div_ceil(CHUNKS).max(1);
+    let chunks: Vec<NormalEquations> = vertices
+        .par_chunks(chunk)
+        .map(|vertices| {
+            let mut equations = NormalEquations::none(pictures);
+            for v in vertices {
+                v.shifts
+                    .iter()
+                    .for_each(|s| equations.add(prior, s, &v.seen));
             }
             equations
         })
         .collect();
-    let mut sum = vec![NormalEquations::NONE; pictures];
+    let mut sum = NormalEquations::none(pictures);
     for equations in chunks {
-        for (s, t) in sum.iter_mut().zip(equations) {
-            s.matrix += t.matrix;
-            s.vector += t.vector;
-        }
+        sum.matrix += equations.matrix;
+        sum.vector += equations.vector;
     }
     sum
 }
 
 /// What the contours give for each photo's motion, added to `equations`.
 pub fn add_equations_of_contours(
-    equations: &mut [NormalEquations],
+    equations: &mut NormalEquations,
     mesh: &Mesh,
     normals: &[Vector3<f64>],
     pulls: &[Pull],
@@ -110,16 +149,15 @@ pub fn add_equations_of_contours(
 ) {
     let stiffness = prior.contour_weight / (prior.footprint * prior.footprint);
     for p in pulls {
-        let n = normals[p.vertex as usize];
         // The whole surface moving by s along the normal changes the gap by slope * s.
-        let equation = &mut equations[p.picture as usize];
-        equation.add(
-            prior,
-            &mesh.point(p.vertex),
-            &(n * -p.slope),
-            p.gap,
-            p.weight * stiffness,
-        );
+        let point = PointShift {
+            picture: p.picture,
+            x: mesh.point(p.vertex),
+            direction: normals[p.vertex as usize] * -p.slope,
+            gap: p.gap,
+            stiffness: p.weight * stiffness,
+        };
+        equations.add(prior, &point, &[]);
     }
 }
 
@@ -140,40 +178,81 @@ pub fn moved(camera: &Camera, motion: &Vector6<f64>, pivot: &Point3<f64>) -> Cam
     }
 }
 
-/// Takes from all motions what is none of the body's: a common turn and shift of all photos in
-/// the world, and one in the cameras' own axes. The latter moves the camera against the disk (its
-/// approach is a change of scale), and that is the calibration's to find.
-pub fn without_gauge(motions: &mut [Vector6<f64>], centres: &[Point3<f64>]) {
-    let axes: Vec<_> = centres
-        .iter()
-        .map(|c| {
-            let radial = Vector3::new(c.x, c.y, 0.0)
-                .try_normalize(0.0)
-                .unwrap_or(Vector3::x());
-            Matrix3::from_columns(&[radial, Vector3::z().cross(&radial), Vector3::z()])
-        })
-        .collect();
-    let parts = |m: &Vector6<f64>| -> [Vector3<f64>; 2] {
-        [
-            m.fixed_rows::<3>(0).into_owned(),
-            m.fixed_rows::<3>(3).into_owned(),
-        ]
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::gauge::ring;
+
+    const PRIOR: MotionPrior = MotionPrior {
+        shift_mm: 1e6,
+        turn: 1e6,
+        pivot: Point3::new(0.0, 0.0, 0.0),
+        contour_weight: 0.05,
+        footprint: 1.0,
     };
-    let count = motions.len().max(1) as f64;
-    // The two kinds overlap where cameras are not all around: a few turns solve both.
-    for _ in 0..10 {
-        let mean = motions.iter().fold(Vector6::zeros(), |s, m| s + m) / count;
-        motions.iter_mut().for_each(|m| *m -= mean);
-        let mut own = [Vector3::zeros(); 2];
-        for (m, a) in motions.iter().zip(&axes) {
-            let part = parts(m);
-            (0..2).for_each(|k| own[k] += a.transpose() * part[k] / count);
+
+    /// Numbers in -1..=1 that seem to be without order.
+    fn number(k: usize) -> f64 {
+        libm::sin(k as f64 * 12.9898 + 1.0)
+    }
+
+    #[test]
+    fn photos_compared_with_each_other_rest_after_one_step() {
+        let centres = ring(12);
+        let gauge = Gauge::new(&centres);
+        let mut all = DVector::from_fn(72, |k, _| number(k) * if k % 6 < 3 { 0.003 } else { 4.0 });
+        all -= gauge.columns() * (gauge.columns().transpose() * &all);
+        let moved: Vec<Vector6<f64>> = (0..12)
+            .map(|i| all.fixed_rows::<6>(6 * i).into_owned())
+            .collect();
+        let vertices: Vec<VertexShifts> =
+            (0..400).map(|v| seen_vertex(v, &centres, &moved)).collect();
+        let equations = equations_of_brightness(12, &vertices, &PRIOR);
+        let found = equations.solve(&PRIOR, &gauge, &[Vector6::zeros(); 12]);
+        for (found, moved) in found.iter().zip(&moved) {
+            assert!((found - moved).norm() < 1e-6, "{found} {moved}");
         }
-        for (m, a) in motions.iter_mut().zip(&axes) {
-            let mut turn = m.fixed_rows_mut::<3>(0);
-            turn -= a * own[0];
-            let mut shift = m.fixed_rows_mut::<3>(3);
-            shift -= a * own[1];
+    }
+
+    #[test]
+    fn without_photos_nothing_moves() {
+        let equations = equations_of_brightness(0, &[], &PRIOR);
+        assert!(equations.solve(&PRIOR, &Gauge::new(&[]), &[]).is_empty());
+    }
+
+    /// A point of a cylinder that photos on its side of the ring see, where motions carried it.
+    fn seen_vertex(v: usize, centres: &[Point3<f64>], moved: &[Vector6<f64>]) -> VertexShifts {
+        let (sin, cos) = libm::sincos(v as f64);
+        let x = Point3::new(150.0 * cos, 150.0 * sin, 900.0 + 800.0 * number(v));
+        let facing = |c: &Point3<f64>| (c.x * cos + c.y * sin) / 3000.0;
+        let seen: Vec<(u16, f64)> = (0..centres.len())
+            .filter(|i| facing(&centres[*i]) > 0.3)
+            .map(|i| (i as u16, facing(&centres[i])))
+            .collect();
+        let shift = |i: u16| {
+            let (turn, shift) = (
+                moved[i as usize].fixed_rows::<3>(0),
+                moved[i as usize].fixed_rows::<3>(3),
+            );
+            turn.cross(&x.coords) + shift
+        };
+        let mut shifts = vec![];
+        for (i, _) in &seen {
+            let beside = || seen.iter().filter(|(j, _)| j != i);
+            let weight: f64 = beside().map(|(_, w)| w).sum();
+            let rest = beside().fold(Vector3::zeros(), |s, (j, w)| s + shift(*j) * (w / weight));
+            let side = Vector3::z().cross(&(centres[*i as usize] - x)).normalize();
+            for direction in [side, Vector3::z()] {
+                let gap = direction.dot(&(shift(*i) - rest));
+                shifts.push(PointShift {
+                    picture: *i,
+                    x,
+                    direction,
+                    gap,
+                    stiffness: 1.0 + number(v).abs(),
+                });
+            }
         }
+        VertexShifts { shifts, seen }
     }
 }
