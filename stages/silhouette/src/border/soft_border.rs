@@ -1,9 +1,11 @@
 //! The border of a cut between pixels: how much of each border pixel is body.
 //!
 //! A pixel on the border shows a mixture of body and background, `I = a F + (1 - a) B` (Porter and
-//! Duff 1984). The background B is known, the body's colour F is taken from beside it, and `a`
+//! Duff 1984), of light and not of levels: what is half bright and half dark has a level nearer to the
+//! bright one. The background B is known, the body's light F is taken from beside it, and `a`
 //! follows. Where F and B are alike, the cut's own border is smoothed instead.
 
+use crate::border::light::Light;
 use crate::likelihood::background::Noise;
 use crate::raster::as_mask;
 use shape::{Image, Mask, Rgb};
@@ -17,17 +19,20 @@ const MIXED: i32 = 2;
 pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
     let near = near_border(sides);
     let mut mask = smoothed(sides, &near);
+    let light = Light::of_levels();
     for y in 0..sides.height {
         for x in along(&near, y) {
             let smooth = mask.at(x, y);
-            let Some((body, light)) = around(photo, without, sides, &near, x, y) else {
+            let Some((body, lit)) = around(photo, without, sides, &near, &light, x, y) else {
                 continue;
             };
-            let ground = without.at(x, y).map(|c| f32::from(c) * light);
+            let (shown, slope) = (light.at(photo, x, y), light.slope_at(photo, x, y));
+            let ground = light.at(without, x, y).map(|c| c * lit);
             let (mut along, mut length) = (0.0, 0.0);
             for c in 0..3 {
-                let step = body[c] - ground[c];
-                along += step * (f32::from(photo.at(x, y)[c]) - ground[c]);
+                // Noise is even in levels: so many of them, as they are at this pixel.
+                let step = (body[c] - ground[c]) / slope[c];
+                along += step * (shown[c] - ground[c]) / slope[c];
                 length += step * step;
             }
             let share = (along / length.max(1.0)).clamp(0.0, 1.0);
@@ -39,47 +44,35 @@ pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise
     mask
 }
 
-/// The body's mean colour beside a border pixel, and the background's light there.
+/// The body's mean light beside a border pixel, and how much of the background's is there.
 fn around(
     photo: &Rgb,
     without: &Rgb,
     sides: &Image<bool>,
     near: &Image<bool>,
+    light: &Light,
     x: usize,
     y: usize,
 ) -> Option<([f32; 3], f32)> {
-    let (mut body, mut bodies) = ([0u32; 3], 0u32);
-    let (mut seen, mut want) = (0u32, 0u32);
+    let (mut body, mut bodies) = ([0.0; 3], 0.0);
+    let (mut seen, mut want) = (0.0, 0.0);
     for row in y.saturating_sub(REACH)..(y + REACH + 1).min(sides.height) {
         for column in x.saturating_sub(REACH)..(x + REACH + 1).min(sides.width) {
             if near.at(column, row) {
                 continue;
             }
-            let color = photo.at(column, row);
+            let shown = light.at(photo, column, row);
             if sides.at(column, row) {
-                (0..3).for_each(|c| body[c] += u32::from(color[c]));
-                bodies += 1;
+                (0..3).for_each(|c| body[c] += shown[c]);
+                bodies += 1.0;
             } else {
-                seen += color.iter().map(|c| u32::from(*c)).sum::<u32>();
-                want += without
-                    .at(column, row)
-                    .iter()
-                    .map(|c| u32::from(*c))
-                    .sum::<u32>();
+                seen += shown.iter().sum::<f32>();
+                want += light.at(without, column, row).iter().sum::<f32>();
             }
         }
     }
-    let light = if want == 0 {
-        1.0
-    } else {
-        seen as f32 / want as f32
-    };
-    (bodies > 0).then(|| {
-        (
-            body.map(|b| b as f32 / bodies as f32),
-            light.clamp(0.2, 1.2),
-        )
-    })
+    let lit = if want == 0.0 { 1.0 } else { seen / want };
+    (bodies > 0.0).then(|| (body.map(|b| b / bodies), lit))
 }
 
 /// Columns of the pixels of a row that may show both sides.
@@ -152,33 +145,37 @@ fn smoothed(sides: &Image<bool>, near: &Image<bool>) -> Mask {
 mod tests {
     use super::*;
 
-    /// A disc of one colour before another, drawn with 8 × 8 samples a pixel.
+    /// A disc of one level before another, drawn with 8 × 8 samples of light a pixel.
     fn disc(radius: f64, body: f64, wall: f64, dice: &mut proof::Dice) -> Rgb {
         let mut image = Rgb::filled(120, 120, [0; 3]);
+        let light = |level: f64| libm::pow((level / 255.0 + 0.055) / 1.055, 2.4);
+        let level = |light: f64| 255.0 * (1.055 * libm::pow(light, 1.0 / 2.4) - 0.055);
         for (i, p) in image.data.iter_mut().enumerate() {
             let (x, y) = ((i % 120) as f64 - 59.3, (i / 120) as f64 - 59.8);
             let part = |s: i32| (f64::from(s) + 0.5) / 8.0 - 0.5;
             let inside = (0..64).filter(|s| libm::hypot(x + part(s % 8), y + part(s / 8)) < radius);
             let share = inside.count() as f64 / 64.0;
-            let level = wall + share * (body - wall);
-            *p = [0, 1, 2].map(|_| (level + 1.5 * dice.normal()).round() as u8);
+            let mixed = level(light(wall) + share * (light(body) - light(wall)));
+            *p = [0, 1, 2].map(|_| (mixed + 1.5 * dice.normal()).round() as u8);
         }
         image
     }
 
     #[test]
-    fn the_border_is_where_the_colours_mix_though_the_cut_is_a_pixel_wide() {
+    fn the_border_is_where_light_mixes_though_the_cut_is_a_pixel_wide() {
         let mut dice = proof::Dice(8);
         let (radius, noise) = (40.0, Noise::even(2.0));
-        let photo = disc(radius, 190.0, 70.0, &mut dice);
-        let wall = Rgb::filled(120, 120, [70; 3]);
-        // Every pixel with a trace of the body was cut out.
-        let sides = photo.map(|p| p[1] > 78);
         let area = |mask: &Mask| mask.data.iter().map(|c| f64::from(*c) / 255.0).sum::<f64>();
         let want = std::f64::consts::PI * radius * radius;
         let round = std::f64::consts::TAU * radius;
-        let off = (area(&soft_border(&photo, &wall, &sides, noise)) - want) / round;
-        let cut = (area(&coverage(&sides)) - want) / round;
-        assert!(cut > 0.3 && off.abs() < 0.05, "{cut} px, then {off} px");
+        for (body, wall) in [(190.0, 70.0), (70.0, 190.0), (120.0, 90.0)] {
+            let photo = disc(radius, body, wall, &mut dice);
+            // Every pixel with a trace of the body was cut out.
+            let sides = photo.map(|p| (f64::from(p[1]) - wall).abs() > 8.0);
+            let without = Rgb::filled(120, 120, [wall as u8; 3]);
+            let off = (area(&soft_border(&photo, &without, &sides, noise)) - want) / round;
+            let cut = (area(&coverage(&sides)) - want) / round;
+            assert!(cut > 0.2 && off.abs() < 0.05, "{cut} px, then {off} px");
+        }
     }
 }
