@@ -1,5 +1,6 @@
-//! How the body moved between photos: `compensate` (a stage) → `sway`, six numbers a photo; `deformation`
-//! (a stage) → `field`, a smooth field a photo; both → `normal_equations`, how brightness pulls.
+//! How the body moved between photos: `compensate` (a stage) → `sway`, six numbers a photo, without `gauge`, what
+//! cameras share; `deformation` (a stage) → `field`, a smooth field a photo; both → `normal_equations`, how brightness
+//! pulls.
 
 pub(crate) mod compensate;
 pub(crate) mod deformation;

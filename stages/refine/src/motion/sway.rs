@@ -49,7 +49,7 @@ impl NormalEquations {
         }
     }
 
-    /// A point that photo `i` should move by `gap` along `direction`, so stiffly, against photos by their shares.
+    /// A point that photo `i` should move by `gap` along `direction`, so stiffly, against the rest by their weights.
     fn add(&mut self, prior: &MotionPrior, point: &PointShift, against: &[(u16, f64)]) {
         let (direction, i) = (&point.direction, point.picture);
         let turn = (point.x - prior.pivot).cross(direction);
@@ -76,7 +76,7 @@ impl NormalEquations {
         vector += row * (point.gap * point.stiffness);
     }
 
-    /// The motions that give in to the equations, limited by the prior; `now` are the motions so far.
+    /// By how much motions change to give in to the equations, limited by the prior; `now` are the motions so far.
     pub fn solve(
         mut self,
         prior: &MotionPrior,
