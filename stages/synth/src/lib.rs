@@ -22,7 +22,6 @@ mod film;
 mod frame;
 mod girths;
 mod jitter;
-mod light;
 mod masks;
 mod moved;
 mod noise;

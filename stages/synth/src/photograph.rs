@@ -196,15 +196,13 @@ pub(crate) fn developed(image: &Linear, noise: f32, linear: bool, seed: u32) -> 
         };
         [0, 1, 2].map(|c| {
             let light = color[c].clamp(0.0, 1.0);
-            let encoded = if linear {
-                light
-            } else if light <= 0.003_130_8 {
-                12.92 * light
+            let level = if linear {
+                255.0 * light
             } else {
-                1.055 * libm::powf(light, 1.0 / 2.4) - 0.055
+                shape::level_of_light(light)
             };
             let grain = if noise > 0.0 { grain(c) } else { 0.0 };
-            (255.0 * encoded + grain).round().clamp(0.0, 255.0) as u8
+            (level + grain).round().clamp(0.0, 255.0) as u8
         })
     })
 }

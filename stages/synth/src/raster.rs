@@ -1,6 +1,5 @@
 //! Which of a mesh's points a camera sees, by rays through each pixel against projected triangles.
 
-use crate::light::light_of;
 use nalgebra::{Point2, Vector3};
 use shape::{Camera, Mesh, Pose};
 
@@ -70,7 +69,9 @@ pub fn cast(
     let (width, height) = (camera.lens.width as usize, camera.lens.height as usize);
     let bands = height.div_ceil(BAND);
     let triangles = ready(mesh, camera, motion);
-    let light: Vec<f32> = (0..=255).map(light_of).collect();
+    let light: Vec<f32> = (0..=255u8)
+        .map(|level| shape::light_of_level(level.into()))
+        .collect();
     let mut bins: Vec<Vec<u32>> = vec![vec![]; bands];
     for (i, t) in triangles.iter().enumerate() {
         (t.rows[0] / BAND..=t.rows[1] / BAND).for_each(|b| bins[b].push(i as u32));

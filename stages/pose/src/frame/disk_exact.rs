@@ -35,7 +35,7 @@ type Edge = (f64, f64, f64);
 /// A circle (height, radius) laid on its edge. `None` where too little of it shows one.
 pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<(f64, f64)> {
     let (mut z, mut r) = circle;
-    let gray = &gray.map(|level| light(*level));
+    let gray = &gray.map(|level| 255.0 * shape::light_of_level(*level));
     for _ in 0..ROUNDS {
         let arcs: Vec<Arc> = (0..ARCS)
             .filter_map(|k| arc(gray, camera, (z, r), k))
@@ -92,16 +92,6 @@ fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> 
         by_height: by_height / LINES as f64,
         by_radius: by_radius / LINES as f64,
     })
-}
-
-/// The light of a level of a file (sRGB), of 255.
-fn light(level: f32) -> f32 {
-    let v = f64::from(level) / 255.0;
-    let light = match v <= 0.04045 {
-        true => v / 12.92,
-        false => libm::pow((v + 0.055) / 1.055, 2.4),
-    };
-    (255.0 * light) as f32
 }
 
 /// How much higher and wider the circle is best; edges that are far off count little (Tukey).
@@ -167,8 +157,7 @@ mod tests {
         for (i, to) in gray.data.iter_mut().enumerate() {
             let (x, y) = ((i % 400) as f64, (i / 400) as f64);
             let sum = places.iter().map(|(dx, dy, w)| w * shown(x + dx, y + dy));
-            let light = sum.sum::<f64>() / all / 255.0;
-            *to = (255.0 * (1.055 * libm::pow(light, 1.0 / 2.4) - 0.055)) as f32;
+            *to = shape::level_of_light((sum.sum::<f64>() / all / 255.0) as f32);
         }
         (camera, gray)
     }

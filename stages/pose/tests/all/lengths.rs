@@ -270,7 +270,7 @@ fn soft_plate(camera: &Camera, soft_px: f64) -> Photo {
             .iter()
             .map(|(a, b)| lit(x + a * soft_px, y + b * soft_px));
         let light = parts.sum::<f64>() / spread.len() as f64;
-        *level = (255.0 * (1.055 * libm::pow(light, 1.0 / 2.4) - 0.055)).round() as u8;
+        *level = shape::level_of_light(light as f32).round() as u8;
     }
     photo("plate.png", &gray)
 }

@@ -1,6 +1,6 @@
 //! Light of a photo's levels: what mixes in a pixel is light, and levels are not in proportion to it.
 
-use shape::Rgb;
+use shape::{Rgb, light_of_level};
 
 /// Light of each level, and how much it grows from level to level there.
 pub(crate) struct Light {
@@ -11,7 +11,7 @@ pub(crate) struct Light {
 impl Light {
     /// Of sRGB levels (IEC 61966-2-1).
     pub(crate) fn of_levels() -> Self {
-        let of: [f32; 256] = std::array::from_fn(|level| light_of(level as u8));
+        let of: [f32; 256] = std::array::from_fn(|level| light_of_level(level as f32));
         let slope = std::array::from_fn(|level| {
             let (below, above) = (level.saturating_sub(1), (level + 1).min(255));
             (of[above] - of[below]) / (above - below) as f32
@@ -27,16 +27,6 @@ impl Light {
     /// How much a pixel's light grows from level to level.
     pub(crate) fn slope_at(&self, photo: &Rgb, x: usize, y: usize) -> [f32; 3] {
         photo.at(x, y).map(|level| self.slope[usize::from(level)])
-    }
-}
-
-/// In proportion to light, 0 to 1.
-fn light_of(level: u8) -> f32 {
-    let v = f32::from(level) / 255.0;
-    if v <= 0.040_45 {
-        v / 12.92
-    } else {
-        libm::powf((v + 0.055) / 1.055, 2.4)
     }
 }
 

@@ -148,8 +148,8 @@ mod tests {
     /// A disc of one level before another, drawn with 8 × 8 samples of light a pixel.
     fn disc(radius: f64, body: f64, wall: f64, dice: &mut proof::Dice) -> Rgb {
         let mut image = Rgb::filled(120, 120, [0; 3]);
-        let light = |level: f64| libm::pow((level / 255.0 + 0.055) / 1.055, 2.4);
-        let level = |light: f64| 255.0 * (1.055 * libm::pow(light, 1.0 / 2.4) - 0.055);
+        let light = |level: f64| f64::from(shape::light_of_level(level as f32));
+        let level = |light: f64| f64::from(shape::level_of_light(light as f32));
         for (i, p) in image.data.iter_mut().enumerate() {
             let (x, y) = ((i % 120) as f64 - 59.3, (i / 120) as f64 - 59.8);
             let part = |s: i32| (f64::from(s) + 0.5) / 8.0 - 0.5;

@@ -23,15 +23,7 @@ pub(crate) fn levels(image: &Linear, gains: [f32; 3], vignetting: f32) -> Levels
         );
         i += 1;
         let shade = 1.0 - vignetting * (x * x + y * y) / corner;
-        [0, 1, 2].map(|c| {
-            let light = (p[c] * gains[c] * shade).clamp(0.0, 1.0);
-            255.0
-                * if light <= 0.003_130_8 {
-                    12.92 * light
-                } else {
-                    1.055 * libm::powf(light, 1.0 / 2.4) - 0.055
-                }
-        })
+        [0, 1, 2].map(|c| shape::level_of_light((p[c] * gains[c] * shade).clamp(0.0, 1.0)))
     })
 }
 

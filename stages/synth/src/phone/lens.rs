@@ -1,6 +1,5 @@
 //! What lens, stabiliser and hand do to light: resampled, blurred, shaken.
 
-use crate::light::light_of;
 use shape::{Image, Rgb, cubic_weights};
 
 /// Red, green, blue in proportion to light, 0 to 1.
@@ -8,7 +7,9 @@ pub(crate) type Linear = Image<[f32; 3]>;
 
 /// Light of an sRGB photo.
 pub(crate) fn light(photo: &Rgb) -> Linear {
-    let table: Vec<f32> = (0..=255).map(light_of).collect();
+    let table: Vec<f32> = (0..=255u8)
+        .map(|level| shape::light_of_level(level.into()))
+        .collect();
     photo.map(|p| p.map(|v| table[usize::from(v)]))
 }
 

@@ -39,9 +39,9 @@ fn taken(values: &[(&str, f64)]) -> Photos {
 
 /// Light of a channel in the middle of a photo, in proportion to that of level 150.
 fn light(photo: &Photo, c: usize) -> f64 {
-    let linear = |v: f64| libm::pow((v / 255.0 + 0.055) / 1.055, 2.4);
     let pixels = photo.decode().unwrap();
-    linear(f64::from(pixels.at(40, 24)[c])) / linear(150.0)
+    let level = f32::from(pixels.at(40, 24)[c]);
+    f64::from(shape::light_of_level(level) / shape::light_of_level(150.0))
 }
 
 #[test]
