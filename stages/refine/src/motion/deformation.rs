@@ -3,7 +3,7 @@
 use crate::evidence::contours::pulls;
 use crate::evidence::scene::Scene;
 use crate::geometry::remesh::remesh;
-use crate::motion::field::{Constraints, FieldPrior, seen_off};
+use crate::motion::field::{Constraints, FieldPrior, carried_on, momentum, seen_off};
 use crate::motion::normal_equations::point_shifts;
 use crate::motion::params::LookParams;
 use crate::pictures::prepare::posed;
@@ -45,7 +45,7 @@ pub struct EstimateDeformation;
 
 impl Stage for EstimateDeformation {
     const NAME: &'static str = "refine.estimate_deformation";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Finds how arms, head and chest moved against the rest of the body: a smooth field of offsets a photo.";
     type Params = EstimateDeformationParams;
     type Input = EstimateDeformationInput;
@@ -78,18 +78,21 @@ impl Stage for EstimateDeformation {
         let none =
             |p: &crate::pictures::picture::Picture, cell| Warp::none(p.whole[0], p.whole[1], cell);
         let mut warps: Vec<Warp> = deformed.iter().map(|b| none(b, p.cell_px)).collect();
+        let mut ahead = warps.clone();
         let steps = ctx.steps("rounds", p.rounds as usize);
-        for _ in 0..p.rounds {
+        for round in 0..p.rounds {
             let undeformed: Vec<_> = deformed
                 .par_iter()
-                .zip(&warps)
+                .zip(&ahead)
                 .map(|(b, w)| b.undeformed(w, b.whole[0] as u32))
                 .collect();
             let scene = Scene::new(&mesh, &around, &undeformed, &window, &rules);
             let shifts = point_shifts(&scene, footprint);
             let contours = pulls(&scene, 6.0);
             let constraints = Constraints::new(&scene, shifts, &contours, &prior, footprint);
-            warps = constraints.solve(&warps, &prior);
+            let next = constraints.solve(&ahead, &prior);
+            ahead = carried_on(&next, &warps, momentum(round));
+            warps = next;
             steps.tick()?;
         }
         let stride = (mesh.positions.len() / 2000).max(1);

@@ -96,6 +96,27 @@ impl Constraints {
     }
 }
 
+/// How far on fields are carried after a round, as a share of what it changed (Nesterov 1983; Beck and Teboulle 2009,
+/// eq. 4.3, in its usual closed form). What photos beside each other share converges slowly without: each is compared with the
+/// mean of the rest.
+pub fn momentum(round: u32) -> f64 {
+    f64::from(round) / f64::from(round + 3)
+}
+
+/// Fields carried on from what they were before, by a share of the change.
+pub fn carried_on(now: &[Warp], before: &[Warp], share: f64) -> Vec<Warp> {
+    let one = |(now, before): (&Warp, &Warp)| {
+        let offsets = now.offsets.iter().zip(&before.offsets);
+        let on =
+            |(n, b): (&[f32; 2], &[f32; 2])| [0, 1].map(|i| n[i] + share as f32 * (n[i] - b[i]));
+        Warp {
+            offsets: offsets.map(on).collect(),
+            ..now.clone()
+        }
+    };
+    now.iter().zip(before).map(one).collect()
+}
+
 /// Takes the share of a vertex' pulls out that a motion of the surface along its normal explains.
 fn without_depth(equations: &mut [PointShift], normal: &Vector3<f64>) {
     let (mut pull, mut stiff) = (0.0, 0.0);
