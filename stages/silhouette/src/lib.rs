@@ -37,7 +37,7 @@
 //! |---|---|---|
 //! | U(background) | -ln p(pixel given the scene): its colour, edges that move by a part of a pixel, the light of its ground, and that of its neighbourhood | `likelihood/background.rs`, `grounds.rs`, `neighbourhoods.rs` |
 //! | | … with the noise of that photo, which makes the density thinner by 3 ln σ | `likelihood/noise.rs` |
-//! | | … on disk and floor also the grain: what a window leaves at the best light | `likelihood/grain.rs`, `grain/in_photo.rs`, `grain/window.rs` |
+//! | | … also the grain of disk, floor and walls: what a window leaves at the best light | `likelihood/grain.rs`, `grain/in_photo.rs`, `grain/window.rs` |
 //! | | … where a glossy disk mirrors the body: the less of the disk as it is, and with a share of the body's light | `likelihood/mirror.rs` |
 //! | | … where nobody saw the scene: colours of the scene beside, of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |

@@ -67,7 +67,7 @@ fn left_over(shot: &Shot, around: &Scene) -> Image<f32> {
     let behind = around.behind(&shot.small, &shot.camera);
     let (top, width) = (shot.top(around.radius), shot.small.width);
     let on = |i: usize| behind.seen.data[i] && top.at(i % width, i / width).is_some();
-    Laid::new(&shot.small, &behind.image, on).left_over()
+    Laid::new(&shot.small, &behind.image, on).left_over(1)
 }
 
 /// What is usually left at each place of the disk's map: the median of the photos that can show it there,

@@ -43,8 +43,8 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 10;
-    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of disk and floor, and what cannot be body.";
+    const VERSION: u32 = 11;
+    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of disk, floor and walls, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
     type Output = Evidence;

@@ -1,6 +1,6 @@
-//! The grain of the disk, and of the floor around it, in one photo, where the scene behind it is known at full size.
+//! The grain of the disk, of the floor around it and of walls in one photo, where the scene behind it is known at full size.
 //!
-//! How much of the bare ground is usually left is learned from the photo itself: more where the map is
+//! How much of a bare ground is usually left is learned from the photo itself: more where the map is
 //! rough, for no map fits a photo quite exactly, nor is it as sharp.
 
 use super::window::Laid;
@@ -19,23 +19,26 @@ use shape::Rgb;
 
 /// What costs so little more than the least as the ground may be it.
 const BARE: f32 = 3.0;
+/// How far windows are from each other on disk and floor, where shadows end within one, and on walls (structural: samples).
+const APART: [usize; 2] = [1, 2];
 /// Classes of places, from smooth to rough, of equal size (structural: samples).
 const CLASSES: usize = 12;
 /// Fewer bare places of a class give no median (structural: samples).
 const FEW: usize = 40;
 
-/// Raises what pixels cost as the disk or the floor where they lack its grain, and keeps by how much: shadows are deep
-/// there, so light and hue tell little. Nothing where it is not known where the floor is. `without` is what the photo would
-/// show without the subject, at full size.
+/// Raises what pixels cost as the disk, the floor or a wall where they lack its grain, and keeps by how much: on the ground
+/// shadows are deep, so light and hue tell little, and cloth of a wall's colour differs from it by its own grain. Nothing where
+/// it is not known where the floor is. `without` is what the photo would show without the subject, at full size.
 pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
     let Some(before) = ready.floor else {
         return;
     };
     let map = without.reduced(ready.factor);
-    let [disk, floor] = [disk(ready, &before, &map), floor(ready, &before, &map)];
+    let disk = disk(ready, &before, &map);
+    let [floor, walls] = still(ready, &before, &map);
     let body = colors_above(ready, &disk);
     ready.strange = vec![0.0; ready.cost.len()];
-    for places in [disk, floor] {
+    for places in [disk, floor, walls] {
         let usual = Usual::of(places.iter().flatten());
         for (i, place) in places.iter().enumerate() {
             let times = place.and_then(|p| Some(p.left / usual.at(p.rough)?));
@@ -55,35 +58,42 @@ fn disk(ready: &Prepared, floor: &Floor, map: &Rgb) -> Vec<Option<Place>> {
     }
     let size = [ready.small.width, ready.small.height];
     let top = DiskTop::of(&floor.camera, floor.touched * RIM, size);
-    places(ready, map, |x, y| top.at(x, y).is_some())
+    places(ready, map, APART[0], |x, y| top.at(x, y).is_some())
 }
 
-/// What of the reduced photo may show the floor, but for pixels along the outline of what evidently is body: they are
-/// mixtures of both.
-fn floor(ready: &Prepared, floor: &Floor, map: &Rgb) -> Vec<Option<Place>> {
+/// What of the reduced photo may show the floor, and what a wall, but for pixels along the outline of what evidently is body:
+/// they are mixtures of both.
+fn still(ready: &Prepared, floor: &Floor, map: &Rgb) -> [Vec<Option<Place>>; 2] {
     let size = [ready.small.width, ready.small.height];
     let grounds = Grounds::of(Some(floor), 1, size[0], size[1]);
     let off = evident(&ready.cost, &ready.known, size).map(|body| !body);
     let clear = thinned(&off, 1);
-    places(ready, map, |x, y| {
-        grounds.at(x, y) == Ground::Floor && clear.at(x, y)
-    })
+    let of = |ground: Ground, apart: usize| {
+        let shows = |x: usize, y: usize| grounds.at(x, y) == ground && clear.at(x, y);
+        places(ready, map, apart, shows)
+    };
+    [of(Ground::Floor, APART[0]), of(Ground::Wall, APART[1])]
 }
 
 /// What of the reduced photo may show a ground that is at some pixels.
-fn places(ready: &Prepared, map: &Rgb, on: impl Fn(usize, usize) -> bool) -> Vec<Option<Place>> {
+fn places(
+    ready: &Prepared,
+    map: &Rgb,
+    apart: usize,
+    on: impl Fn(usize, usize) -> bool,
+) -> Vec<Option<Place>> {
     let width = ready.small.width;
     let shows = |i: usize| on(i % width, i / width) && ready.cost[i] != UNSEEN;
     let laid = Laid::new(&ready.small, map, shows);
-    let place = |(i, left): (usize, f32)| {
+    let place = |(i, (left, rough)): (usize, (f32, f32))| {
         (left < f32::MAX).then(|| Place {
             left,
-            rough: laid.rough(i),
+            rough,
             bare: ready.cost[i] < FLAT + BARE,
         })
     };
-    let left = laid.left_over().data.into_iter().enumerate();
-    left.map(place).collect()
+    let both = laid.left_over(apart).data.into_iter().zip(laid.rough());
+    both.enumerate().map(place).collect()
 }
 
 /// The colours of what is evidently not the scene behind, above the disk: there a shadow may look evident.

@@ -30,8 +30,13 @@ fn body(x: &Point3<f64>) -> bool {
 
 /// Right, down and forward in the frame of the disk, which has turned on by an angle. \[rad\]
 fn camera(angle: f64) -> Camera {
+    tilted(angle, 0.5)
+}
+
+/// The same, which looks down by another angle. \[rad\]
+fn tilted(angle: f64, by: f64) -> Camera {
     let (s, c) = libm::sincos(angle);
-    let (down, level) = libm::sincos(0.5);
+    let (down, level) = libm::sincos(by);
     let rows = Matrix3::new(
         c,
         s,
@@ -265,4 +270,31 @@ fn trousers_of_the_floors_colour_lack_its_grain_and_the_bare_floor_does_not() {
     assert!(legs > 1000 && cheap * 4 > legs, "{cheap} of {legs}");
     assert!(found * 10 > legs * 9, "{found} of {legs}");
     assert!(bare > 1000 && raised * 25 < bare, "{raised} of {bare}");
+}
+
+#[test]
+fn shorts_of_the_walls_colour_lack_its_grain_and_the_bare_wall_does_not() {
+    let mut dice = proof::Dice(8);
+    // The wall is above the horizon, 78 pixels from the top.
+    let shorts = |i: usize| (60..110).contains(&(i % SIZE.0)) && (10..60).contains(&(i / SIZE.0));
+    let plate = wall(&mut dice);
+    let (mut small, camera) = (plate.clone(), tilted(0.0, 0.05));
+    for (i, p) in small.data.iter_mut().enumerate() {
+        let [middle, most] = if shorts(i) {
+            [91.0, 4.0]
+        } else {
+            [f64::from(p[0]), 1.5]
+        };
+        *p = [0.0, 4.0, 12.0].map(|v| (middle + v + dice.within(-most, most)).round() as u8);
+    }
+    let id = PhotoId(0);
+    let [before, after] = weighed(&Shot { id, small, camera }, plate);
+    let wall = (0..SIZE.0 * 70).partition::<Vec<usize>, _>(|i| shorts(*i));
+    let share = |of: &[usize], so: &dyn Fn(usize) -> bool| {
+        of.iter().filter(|i| so(**i)).count() as f64 / of.len() as f64
+    };
+    assert!(share(&wall.0, &|i| before.cost[i] < FLAT + 4.0) > 0.25);
+    let found = share(&wall.0, &|i| after.cost[i] > FLAT + 4.0);
+    assert!(found > 0.8, "{found}");
+    assert!(share(&wall.1, &|i| after.strange[i] > 0.0) < 0.04);
 }

@@ -62,10 +62,14 @@ impl Laid {
     /// What is left of each pixel that the ground may show, at the best light of the window that explains it
     /// best: the mean square of the window or the pixel's own square, whichever is more, all channels
     /// together. \[levels²\] Infinite where no window is on the ground far enough.
-    pub(super) fn left_over(&self) -> Image<f32> {
+    /// Windows are `apart` pixels from each other.
+    pub(super) fn left_over(&self, apart: usize) -> Image<f32> {
         let mut least = vec![f32::MAX; self.pixels.len()];
         let (mut window, mut left) = (vec![], vec![]);
-        for i in (0..self.pixels.len()).filter(|i| self.pixels[*i].is_some()) {
+        let middle = |i: usize| {
+            (i % self.width).is_multiple_of(apart) && (i / self.width).is_multiple_of(apart)
+        };
+        for i in (0..self.pixels.len()).filter(|i| middle(*i) && self.pixels[*i].is_some()) {
             self.window(i, &mut window);
             if !self.explained(i, &window, &mut left) {
                 continue;
@@ -82,13 +86,17 @@ impl Laid {
         }
     }
 
-    /// How rough the map is around a pixel: the mean square of what a shift by a part of a pixel may
+    /// How rough the map is around each pixel: the mean square of what a shift by a part of a pixel may
     /// change, all channels together. \[levels²\]
-    pub(super) fn rough(&self, i: usize) -> f32 {
-        let mut window = vec![];
-        self.window(i, &mut window);
-        let sum: f32 = window.iter().map(|(_, pixel)| pixel.rough()).sum();
-        sum / window.len().max(1) as f32
+    pub(super) fn rough(&self) -> Vec<f32> {
+        let own = self.pixels.iter().map(Option::as_ref);
+        let own = own.map(|pixel| pixel.map_or([0.0; 2], |pixel| [pixel.rough(), 1.0]));
+        // Along rows, then down columns.
+        let rows = summed(own.collect(), self.width, 1);
+        let sums = summed(rows, self.pixels.len() / self.width.max(1), self.width);
+        sums.iter()
+            .map(|[sum, count]| sum / count.max(1.0))
+            .collect()
     }
 
     /// The pixels of the window around a pixel that are on the ground, row by row.
@@ -133,6 +141,19 @@ impl Laid {
         left.extend(squares);
         true
     }
+}
+
+/// The sums of what is within [`REACH`] along lines of `long` values, one of which is `step` places after the other.
+fn summed(values: Vec<[f32; 2]>, long: usize, step: usize) -> Vec<[f32; 2]> {
+    let one = |i: usize| {
+        let at = i / step % long;
+        let (back, on) = (at.min(REACH), (long - 1 - at).min(REACH));
+        let line = (i - back * step..=i + on * step).step_by(step);
+        line.fold([0.0; 2], |sum, k| {
+            [sum[0] + values[k][0], sum[1] + values[k][1]]
+        })
+    };
+    (0..values.len()).map(one).collect()
 }
 
 fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
