@@ -99,7 +99,7 @@ impl FileSigma {
 
 impl Stage for ImportLandmarks {
     const NAME: &'static str = "measure.import_landmarks";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Takes planes to measure at from a landmarks.json.";
     type Params = ();
     type Input = LandmarksFileInput;

@@ -103,6 +103,23 @@ impl Graph {
         }
         far
     }
+
+    /// The nodes on the shortest way to one; `far` are ways from where it begins.
+    pub(crate) fn line(&self, far: &[f64], to: u32) -> Vec<u32> {
+        let mut line = vec![to];
+        let next = |here: u32| {
+            let before = self.links(here).iter().copied();
+            let before = before.filter(|a| far[*a as usize] < far[here as usize]);
+            let off = |a: u32| (self.at[a as usize] - self.at[here as usize]).norm();
+            let long = |a: &u32| far[*a as usize] + off(*a);
+            before.min_by(|a, b| long(a).total_cmp(&long(b)))
+        };
+        while let Some(before) = next(line[line.len() - 1]) {
+            line.push(before);
+        }
+        line.reverse();
+        line
+    }
 }
 
 /// A way's length and the node it leads to; of equal lengths the lower node is first.

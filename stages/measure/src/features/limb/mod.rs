@@ -19,7 +19,7 @@ use graph::Graph;
 use nalgebra::Point3;
 pub use one::{Joint, Kind, Limb, Segment};
 use shape::{Mesh, Part, Refusal};
-use tips::{Tip, land, tips};
+use tips::{Tip, fold, land, tips};
 
 /// The limbs of a body.
 pub struct Limbs<'a> {
@@ -134,7 +134,8 @@ fn one(
 ) -> Result<Limb, Refusal> {
     let own = land(graph, way, tip);
     let from = graph.ways(tip.node);
-    let middles = bands(graph, &from, from[tip.fold as usize], BAND * body.stature);
+    let fold = fold(graph, way, (tip, &own, &from), CELL * body.stature);
+    let middles = bands(graph, &from, fold.way, BAND * body.stature);
     let mut limb = Limb {
         kind,
         side,
@@ -144,7 +145,7 @@ fn one(
         root: Joint::default(),
         shared: 0.0,
         bent: 0.0,
-        fold: graph.at[tip.fold as usize],
+        fold: fold.at,
         crotch: 0.0,
         root_line: None,
         seen: None,

@@ -6,6 +6,7 @@
 //! toes do, are no extremities (persistence; Edelsbrunner, Letscher, Zomorodian 2002).
 
 use crate::features::limb::graph::Graph;
+use nalgebra::Point3;
 
 /// An extremity and the limb that hangs on it.
 pub(crate) struct Tip {
@@ -92,6 +93,54 @@ pub(crate) fn land(graph: &Graph, way: &[f64], tip: &Tip) -> Vec<bool> {
     inside
 }
 
+/// Where an extremity's land ends.
+pub(crate) struct Fold {
+    /// The place. \[mm\]
+    pub(crate) at: Point3<f64>,
+    /// Its way from the extremity. \[mm\]
+    pub(crate) way: f64,
+}
+
+/// The fold between an extremity's own land and the one that it meets. A web is flat, so at which node of it the way from the crown is
+/// least is chance: the fold is midway between where that way has risen by the size of a node to either side. `from` are ways from
+/// the extremity. \[mm\]
+pub(crate) fn fold(
+    graph: &Graph,
+    way: &[f64],
+    (tip, own, from): (&Tip, &[bool], &[f64]),
+    node: f64,
+) -> Fold {
+    let far = graph.ways(tip.fold);
+    let level = tip.meets + node;
+    // How far it is to where the way has risen, on its own side or beyond, and the node after it.
+    let risen = |side: bool| {
+        let after = (0..way.len()).filter(|b| own[*b] == side && way[*b] > level);
+        let links = after.flat_map(|b| graph.links(b as u32).iter().map(move |a| (*a as usize, b)));
+        let across = links.filter(|(a, _)| way[*a] <= level).map(|(a, b)| {
+            let share = (level - way[a]) / (way[b] - way[a]);
+            (
+                far[a] + share * (graph.at[a] - graph.at[b]).norm(),
+                b as u32,
+            )
+        });
+        across.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+    };
+    let (off, to) = match (risen(true), risen(false)) {
+        (Some(near), Some(beyond)) if near.0 > beyond.0 => ((near.0 - beyond.0) / 2.0, near.1),
+        (Some(near), Some(beyond)) => ((beyond.0 - near.0) / 2.0, beyond.1),
+        _ => (0.0, tip.fold),
+    };
+    let line = graph.line(&far, to);
+    let after = line.iter().position(|n| far[*n as usize] >= off);
+    let b = line[after.unwrap_or(line.len() - 1)] as usize;
+    let a = line[after.unwrap_or(line.len()).saturating_sub(1)] as usize;
+    let share = ((off - far[a]) / (far[b] - far[a]).max(1e-9)).clamp(0.0, 1.0);
+    Fold {
+        at: graph.at[a].coords.lerp(&graph.at[b].coords, share).into(),
+        way: from[a] + share * (from[b] - from[a]),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,6 +172,42 @@ mod tests {
             }
         }
         mesh
+    }
+
+    #[test]
+    fn a_fold_is_midway_over_a_flat_web_whichever_of_its_nodes_is_the_lowest() {
+        let strip = |mm: f32| {
+            let mut mesh = cross([60, 3, 60, 3]);
+            mesh.positions.iter_mut().for_each(|p| p[1] *= mm);
+            mesh
+        };
+        let graph = Graph::new(&strip(1.0), 1.0);
+        let tip = (0..graph.at.len())
+            .max_by(|a, b| graph.at[*a].y.total_cmp(&graph.at[*b].y))
+            .unwrap();
+        let from = graph.ways(tip as u32);
+        // Ways that rise from a web 60 mm wide to either side, whose lowest node is anywhere in it.
+        let found = [-25.0, -5.0, 15.0].map(|lowest| {
+            let off = |p: &Point3<f64>| (p.y.abs() - 30.0).max(0.0) + 1e-3 * (p.y - lowest).abs();
+            let way: Vec<f64> = graph.at.iter().map(off).collect();
+            let met = (0..way.len())
+                .min_by(|a, b| way[*a].total_cmp(&way[*b]))
+                .unwrap();
+            let own: Vec<bool> = graph.at.iter().map(|p| p.y > lowest).collect();
+            let tip = Tip {
+                node: tip as u32,
+                meets: way[met],
+                fold: met as u32,
+                long: 0.0,
+            };
+            let fold = fold(&graph, &way, (&tip, &own, &from), 10.0);
+            (fold.at.y, fold.way)
+        });
+        for (y, way) in found {
+            assert!(y.abs() < 3.0, "{y}");
+            // As far as the strip is wide.
+            proof::near(way + y, from[0] + graph.at[0].y, 10.5);
+        }
     }
 
     #[test]
