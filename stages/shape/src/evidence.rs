@@ -43,8 +43,8 @@ pub struct PhotoEvidence {
     pub photo: Rgb,
     /// -ln p(pixel | background), up to a constant that is the same for all pixels. \[nats\]
     pub background: Vec<f32>,
-    /// By how much the grain of the disk, or of the floor, speaks against either without the body; empty where nobody asked. \[nats\]
-    pub against_disk: Vec<f32>,
+    /// By how much the grain of disk, floor or wall speaks against the one that is there without the body; empty where nobody asked. \[nats\]
+    pub against_ground: Vec<f32>,
     /// Log-odds of the body by a learned sense of a person; empty where the photos show none, or nobody asked. \[nats\]
     pub person: Vec<f32>,
     /// Light that the disk gains by what it mirrors of the body, three channels a pixel; empty where it mirrors nothing that
@@ -62,7 +62,7 @@ impl PhotoEvidence {
         let known: Vec<u8> = self.known.iter().map(|k| *k as u8).collect();
         let costs = [
             &self.background,
-            &self.against_disk,
+            &self.against_ground,
             &self.person,
             &self.mirrored,
         ];
@@ -114,7 +114,7 @@ impl Artifact for Evidence {
         for (PhotoId(id), e) in self.views.iter() {
             to.section(format!("photo {id}"), &e.photo.data);
             to.section(format!("known {id}"), &Known::bytes(&e.known));
-            let costs = [&e.background, &e.against_disk, &e.person, &e.mirrored];
+            let costs = [&e.background, &e.against_ground, &e.person, &e.mirrored];
             for (name, cost) in COSTS.iter().zip(costs) {
                 let (lengths, kept) = repeats(cost);
                 to.section(format!("{name} {id} lengths"), &lengths);
@@ -145,7 +145,7 @@ impl Artifact for Evidence {
             let evidence = PhotoEvidence {
                 factor,
                 background,
-                against_disk: if_asked(COSTS[1], count)?,
+                against_ground: if_asked(COSTS[1], count)?,
                 person: if_asked(COSTS[2], count)?,
                 mirrored: if_asked(COSTS[3], 3 * count)?,
                 known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
@@ -165,11 +165,11 @@ mod tests {
     use super::*;
 
     fn evidence() -> Evidence {
-        let one = |against_disk: &[f32], person: &[f32]| PhotoEvidence {
+        let one = |against_ground: &[f32], person: &[f32]| PhotoEvidence {
             factor: 3,
             photo: Rgb::filled(3, 2, [4, 5, 6]),
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
-            against_disk: against_disk.to_vec(),
+            against_ground: against_ground.to_vec(),
             person: person.to_vec(),
             mirrored: person.repeat(3),
             known: vec![

@@ -119,7 +119,7 @@ pub use scene::{FoundBody, InPhoto, Scene, Seen};
 pub use silhouette::{DISSENT_DEPTH, MIN_DISSENT_PHOTOS, Silhouette, deep_dissent, sole_dissent};
 pub use solid::{Furrow, Level, Part as SolidPart, Solid};
 pub use some_photos::some_photos;
-pub use srgb::{level_of_light, light_of_level};
+pub use srgb::{level_of_light, light_of_level, light_of_levels};
 pub use sureness::{NINE_IN_TEN, Note, Sigmas, Split};
 pub use sway::Sway;
 pub use tags::{Tag, Tags};

@@ -69,9 +69,7 @@ pub fn cast(
     let (width, height) = (camera.lens.width as usize, camera.lens.height as usize);
     let bands = height.div_ceil(BAND);
     let triangles = ready(mesh, camera, motion);
-    let light: Vec<f32> = (0..=255u8)
-        .map(|level| shape::light_of_level(level.into()))
-        .collect();
+    let light = shape::light_of_levels();
     let mut bins: Vec<Vec<u32>> = vec![vec![]; bands];
     for (i, t) in triangles.iter().enumerate() {
         (t.rows[0] / BAND..=t.rows[1] / BAND).for_each(|b| bins[b].push(i as u32));

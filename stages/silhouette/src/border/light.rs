@@ -1,6 +1,6 @@
 //! Light of a photo's levels: what mixes in a pixel is light, and levels are not in proportion to it.
 
-use shape::{Rgb, light_of_level};
+use shape::{Rgb, light_of_levels};
 
 /// Light of each level, and how much it grows from level to level there.
 pub(crate) struct Light {
@@ -11,7 +11,7 @@ pub(crate) struct Light {
 impl Light {
     /// Of sRGB levels (IEC 61966-2-1).
     pub(crate) fn of_levels() -> Self {
-        let of: [f32; 256] = std::array::from_fn(|level| light_of_level(level as f32));
+        let of = light_of_levels();
         let slope = std::array::from_fn(|level| {
             let (below, above) = (level.saturating_sub(1), (level + 1).min(255));
             (of[above] - of[below]) / (above - below) as f32

@@ -112,7 +112,7 @@ mod tests {
             factor: 1,
             photo: Rgb::filled(SIDE, SIDE, [0; 3]),
             background: (0..SIDE * SIDE).map(cost).collect(),
-            against_disk: vec![],
+            against_ground: vec![],
             mirrored: vec![],
             person: vec![],
             known: vec![Known::Unknown; SIDE * SIDE],

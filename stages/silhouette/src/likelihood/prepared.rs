@@ -18,7 +18,7 @@ pub struct Prepared {
     pub small: Rgb,
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
-    /// What it costs more to call each pixel the bare disk or floor, by its grain; empty where nobody asked.
+    /// What it costs more to call each pixel the bare disk, floor or wall, by its grain; empty where nobody asked.
     pub strange: Vec<f32>,
     /// Log-odds of the body by a person's sense; empty where there is none.
     pub person: Vec<f32>,
@@ -41,7 +41,7 @@ impl Prepared {
             factor: evidence.factor as usize,
             small: evidence.photo.clone(),
             cost: evidence.background.clone(),
-            strange: evidence.against_disk.clone(),
+            strange: evidence.against_ground.clone(),
             person: evidence.person.clone(),
             mirrored: evidence.mirrored.clone(),
             unforeseen: None,
@@ -83,7 +83,7 @@ impl Prepared {
             factor: self.factor as u32,
             photo: self.small,
             background: self.cost,
-            against_disk: self.strange,
+            against_ground: self.strange,
             person: self.person,
             mirrored: self.mirrored,
             known: self.known,

@@ -143,7 +143,7 @@ fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
     Ok(PhotoEvidence {
         factor: factor as u32,
         background: vec![UNSEEN; known.len()],
-        against_disk: vec![],
+        against_ground: vec![],
         mirrored: vec![],
         person: vec![],
         known,

@@ -1,15 +1,13 @@
 //! What lens, stabiliser and hand do to light: resampled, blurred, shaken.
 
-use shape::{Image, Rgb, cubic_weights};
+use shape::{Image, Rgb, cubic_weights, light_of_levels};
 
 /// Red, green, blue in proportion to light, 0 to 1.
 pub(crate) type Linear = Image<[f32; 3]>;
 
 /// Light of an sRGB photo.
 pub(crate) fn light(photo: &Rgb) -> Linear {
-    let table: Vec<f32> = (0..=255u8)
-        .map(|level| shape::light_of_level(level.into()))
-        .collect();
+    let table = light_of_levels();
     photo.map(|p| p.map(|v| table[usize::from(v)]))
 }
 
