@@ -1,6 +1,7 @@
 //! Plans on Slurm's real daemons, and what goes wrong there.
 
 use crate::site::Site;
+use std::collections::BTreeSet;
 use std::process::Command;
 
 #[test]
@@ -64,16 +65,24 @@ fn a_failing_element_drops_only_what_reads_it() {
 
 #[test]
 #[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
-fn a_submitter_that_is_killed_at_any_step_sends_nothing_twice() {
+fn a_submitter_that_is_killed_at_the_first_layer_sends_nothing_twice() {
+    killed_at(1);
+}
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn a_submitter_that_is_killed_at_the_last_layer_sends_nothing_twice() {
+    killed_at(2);
+}
+
+/// Sends two plans, killed before and after it sends a layer of theirs.
+fn killed_at(count: usize) {
     let site = Site::new(1001);
     let real = site.ask("sh", &["-c", "command -v sbatch"]);
-    for (round, (count, before)) in [(1, true), (1, false), (2, true), (2, false)]
-        .into_iter()
-        .enumerate()
-    {
+    for (round, before) in [true, false].into_iter().enumerate() {
         let over = format!("{round},{}", round + 100);
         let plan = site.plan(&over, &["x.s=1", &format!("base.b={round}")]);
-        // Kills who calls it, before or after what it does the second or first time.
+        // Kills who calls it, before or after what it does at that layer.
         let folder = site.place.path(&format!("bin{round}"));
         std::fs::create_dir(&folder).unwrap();
         let calls = folder.join("calls");
@@ -114,43 +123,83 @@ fn a_submitter_that_is_killed_at_any_step_sends_nothing_twice() {
         let (code, text) = site.output(&["status", &plan]);
         assert_eq!(code, Some(0), "{text}");
     }
-    assert_eq!(site.place.made(), 4 * 3, "each result once");
+    assert_eq!(site.place.made(), 2 * 3, "each result once");
+}
+
+/// A plan of two strands in the midst of their stages, one of which is done something to; then all are let on.
+fn disturbed(site: &Site, naps: f64, disturb: impl Fn(&str)) -> String {
+    let plan = site.plan("1,2", &[&format!("x.s={naps}")]);
+    site.submit(&plan);
+    let second = format!("{}-L1", &plan[..12]);
+    let running = || {
+        let all = site.ask("squeue", &["-h", "-r", "-t", "R", "-o", "%i %j"]);
+        let element = |line: &str| line.split(' ').next().unwrap().to_owned();
+        let some = all.lines().filter(|l| l.contains(&second)).map(element);
+        some.collect::<Vec<_>>()
+    };
+    let all_nap = || {
+        let running = running();
+        !running.is_empty() && napping(naps).len() == running.len()
+    };
+    site.wait("stages of the second layer", all_nap);
+    let before = napping(naps);
+    disturb(&running()[0]);
+    let gone = || !before.is_subset(&napping(naps));
+    site.wait("the end of one stage", gone);
+    let_on(site, naps);
+    plan
+}
+
+/// The processes that sleep for so long: `x` of a plan, in the midst of its stage. \[s\]
+fn napping(naps: f64) -> BTreeSet<String> {
+    let line = format!("sleep\0{naps}\0");
+    let all = std::fs::read_dir("/proc").unwrap();
+    let names = all.map(|e| e.unwrap().file_name().into_string().unwrap());
+    let naps = |pid: &String| {
+        let words = std::fs::read(format!("/proc/{pid}/cmdline"));
+        words.is_ok_and(|words| words == line.as_bytes())
+    };
+    names.filter(naps).collect()
+}
+
+/// Ends all their sleep, until nothing is left on the site.
+fn let_on(site: &Site, naps: f64) {
+    site.wait("the end", || {
+        for pid in napping(naps) {
+            let _ = Command::new("kill").arg(pid).output();
+        }
+        site.ask("squeue", &["-h"]).trim().is_empty()
+    });
 }
 
 #[test]
 #[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
-fn workers_that_are_killed_or_requeued_lose_nothing() {
+fn a_worker_that_is_requeued_in_the_midst_of_a_stage_loses_nothing() {
     let site = Site::new(1001);
-    let plan = site.plan("1,2", &["x.s=3"]);
-    site.submit(&plan);
-    let running = || site.ask("squeue", &["-h", "-r", "-t", "R", "-o", "%i %j"]);
-    let element = |line: &str| line.split(' ').next().unwrap().to_owned();
-    let second = format!("{}-L1", &plan[..12]);
-    let found = || running().lines().find(|l| l.contains(&second)).map(element);
-    site.wait("an element of the second layer", || found().is_some());
-    // In the midst of a stage, back into the queue.
-    std::thread::sleep(std::time::Duration::from_millis(1500));
-    let one = found().expect("it takes three seconds");
-    site.ask("scontrol", &["requeue", &one]);
-    site.settle();
+    let plan = disturbed(&site, 4714.25, |one| {
+        site.ask("scontrol", &["requeue", one]);
+    });
     let (code, text) = site.output(&["status", &plan]);
     assert_eq!(code, Some(0), "{text}");
+    assert_eq!(site.place.made(), 1 + 2, "none lost, none twice");
+    assert!(site.place.run(&["cache", "verify"]).status.success());
+}
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn a_worker_that_is_killed_in_the_midst_of_a_stage_is_sent_again_and_loses_nothing() {
+    let site = Site::new(1001);
     // Killed outright: the program, then whatever runs for it.
-    let plan = site.plan("3,4", &["x.s=3"]);
-    site.submit(&plan);
-    let second = format!("{}-L1", &plan[..12]);
-    let found = || running().lines().find(|l| l.contains(&second)).map(element);
-    site.wait("an element of the second layer", || found().is_some());
-    std::thread::sleep(std::time::Duration::from_millis(1500));
-    let one = found().expect("it takes three seconds");
-    site.ask("scancel", &["--signal=KILL", "--full", &one]);
-    site.settle();
+    let naps = 4715.25;
+    let plan = disturbed(&site, naps, |one| {
+        site.ask("scancel", &["--signal=KILL", "--full", one]);
+    });
     let (code, text) = site.output(&["status", &plan]);
     assert_eq!(code, Some(1), "{text}");
     site.submit(&plan);
-    site.settle();
+    let_on(&site, naps);
     assert_eq!(site.output(&["status", &plan]).0, Some(0));
-    assert_eq!(site.place.made(), 1 + 4, "none lost, none twice");
+    assert_eq!(site.place.made(), 1 + 2, "none lost, none twice");
     assert!(site.place.run(&["cache", "verify"]).status.success());
 }
 
