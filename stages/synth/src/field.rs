@@ -170,8 +170,15 @@ impl<'a> Part<'a> {
                 if let Some(furrow) = furrow {
                     y += furrowed(furrow, x, y / here.half[1], p.z);
                 }
+                let beyond = (first.z - p.z).max(p.z - last.z);
+                // No radius is longer than the sum of its parts: well beyond an end nothing hangs on the section.
+                let [u, v] = [x / here.half[0], y / here.half[1]].map(f64::abs);
+                let most = (u + v - 1.0) * here.half[0].min(here.half[1]);
+                if *exponent >= 1.0 && beyond - round >= most {
+                    return beyond;
+                }
                 let side = across(x, y, here.half, *exponent);
-                soft_max(side, (first.z - p.z).max(p.z - last.z), *round)
+                soft_max(side, beyond, *round)
             }
         }
     }

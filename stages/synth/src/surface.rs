@@ -70,46 +70,78 @@ pub fn surface(solid: &Solid, low: Point3<f64>, high: Point3<f64>, cell_mm: f64)
 fn block_cells(field: &Field<'_>, grid: &Grid, block: usize) -> Vec<Cell> {
     let [bx, by, _] = grid.blocks;
     let first = [block % bx, block / bx % by, block / (bx * by)].map(|b| b * BLOCK);
-    let half = grid.cell_mm * BLOCK as f64 / 2.0;
-    let middle = grid.corner(first) + Vector3::from_element(half);
-    let mut cells = Vec::new();
-    if field.value(&middle).abs() > STEEP * half * 3f64.sqrt() {
-        return cells;
+    let mut block = Block {
+        field,
+        grid,
+        first,
+        values: vec![f64::NAN; SIDE * SIDE * SIDE],
+        cells: Vec::new(),
+    };
+    block.look([0; 3], BLOCK);
+    block.cells
+}
+
+/// Corners along a block (structural: a block's corners).
+const SIDE: usize = BLOCK + 1;
+
+/// A block that is looked through.
+struct Block<'a> {
+    field: &'a Field<'a>,
+    grid: &'a Grid,
+    /// Its first cell.
+    first: [usize; 3],
+    /// At its corners, as far as they were asked for, and no number elsewhere.
+    values: Vec<f64>,
+    cells: Vec<Cell>,
+}
+
+impl Block<'_> {
+    /// The field at a corner of the block.
+    fn value(&mut self, [x, y, z]: [usize; 3]) -> f64 {
+        let at = (z * SIDE + y) * SIDE + x;
+        if self.values[at].is_nan() {
+            let [i, j, k] = self.first;
+            self.values[at] = self.field.value(&self.grid.corner([i + x, j + y, k + z]));
+        }
+        self.values[at]
     }
-    /// Corners along a block (structural: a block's corners).
-    const SIDE: usize = BLOCK + 1;
-    let at = |x: usize, y: usize, z: usize| (z * SIDE + y) * SIDE + x;
-    let mut values = vec![0.0; SIDE * SIDE * SIDE];
-    for z in 0..SIDE {
-        for y in 0..SIDE {
-            for x in 0..SIDE {
-                let corner = grid.corner([first[0] + x, first[1] + y, first[2] + z]);
-                values[at(x, y, z)] = field.value(&corner);
+
+    /// Looks for cells in a cube of the block, halved until no surface can be in it.
+    fn look(&mut self, low: [usize; 3], side: usize) {
+        let half = side / 2;
+        let reach = STEEP * self.grid.cell_mm * half as f64 * 3f64.sqrt();
+        if self.value(low.map(|c| c + half)).abs() > reach {
+            return;
+        }
+        for part in 0..8 {
+            let low = std::array::from_fn(|axis| low[axis] + half * (part >> axis & 1));
+            match half {
+                1 => self.take(low),
+                _ => self.look(low, half),
             }
         }
     }
-    for z in 0..BLOCK {
-        for y in 0..BLOCK {
-            for x in 0..BLOCK {
-                let corner = |i: usize| values[at(x + (i & 1), y + (i >> 1 & 1), z + (i >> 2 & 1))];
-                let inside = (0..8).fold(0u8, |bits, i| bits | u8::from(corner(i) < 0.0) << i);
-                if inside == 0 || inside == 255 {
-                    continue;
-                }
-                let c = [first[0] + x, first[1] + y, first[2] + z];
-                let (patch, starts) = patches(inside, &corner);
-                let onto =
-                    |start: &Vector3<f64>| field.onto(&(grid.corner(c) + start * grid.cell_mm));
-                cells.push(Cell {
-                    key: grid.key(c),
-                    inside,
-                    patch,
-                    at: starts.iter().map(onto).collect(),
-                });
-            }
+
+    /// Takes a cell, if the surface passes it.
+    fn take(&mut self, low: [usize; 3]) {
+        let corners: [f64; 8] = std::array::from_fn(|i| {
+            self.value(std::array::from_fn(|axis| low[axis] + (i >> axis & 1)))
+        });
+        let inside = (0..8).fold(0u8, |bits, i| bits | u8::from(corners[i] < 0.0) << i);
+        if inside == 0 || inside == 255 {
+            return;
         }
+        let c = std::array::from_fn(|axis| self.first[axis] + low[axis]);
+        let (patch, starts) = patches(inside, &|i| corners[i]);
+        let start = self.grid.corner(c);
+        let onto = |off: &Vector3<f64>| self.field.onto(&(start + off * self.grid.cell_mm));
+        self.cells.push(Cell {
+            key: self.grid.key(c),
+            inside,
+            patch,
+            at: starts.iter().map(onto).collect(),
+        });
     }
-    cells
 }
 
 /// The number of the edge along an axis from a corner whose bit of that axis is 0.
