@@ -4,10 +4,11 @@ mod background;
 mod scene;
 
 use scene::{Made, Scene};
-use shape::{Mask, Masks};
+use shape::{Mask, Masks, Photos};
 use silhouette::{Walk, WalkInput, WalkParams};
 use stage::{Ctx, Host, Stage, Stop};
-use std::sync::{Arc, Mutex};
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 
 /// Who listens to warnings.
 #[derive(Default)]
@@ -22,15 +23,31 @@ impl Host for Listening {
 /// What comes of a scene, with the true masks and the warnings.
 struct Came {
     masks: Result<Masks, String>,
-    truth: Vec<Mask>,
+    truth: Arc<Vec<Mask>>,
     stated: Vec<String>,
+}
+
+/// Photos of a scene and the true masks.
+type Shown = (Arc<Photos>, Arc<Vec<Mask>>);
+
+/// Those that were asked for, by their scenes: several tests ask for the same.
+fn photos(made: Made) -> Shown {
+    static KNOWN: LazyLock<Mutex<HashMap<String, Arc<OnceLock<Shown>>>>> =
+        LazyLock::new(Mutex::default);
+    let of = format!("{made:?}");
+    let known = KNOWN.lock().unwrap().entry(of).or_default().clone();
+    let make = || {
+        let (photos, truth) = Scene::new(made).photos();
+        (Arc::new(photos), Arc::new(truth))
+    };
+    known.get_or_init(make).clone()
 }
 
 fn cut(made: Made, p: &WalkParams) -> Came {
     let scene = Scene::new(made);
-    let (photos, truth) = scene.photos();
+    let (photos, truth) = photos(made);
     let input = WalkInput {
-        photos: Arc::new(photos),
+        photos,
         cameras: Arc::new(scene.truth()),
         tracks: Some(Arc::new(scene.tracks(1500))),
     };

@@ -53,13 +53,14 @@ impl Default for Made {
     }
 }
 
-/// A part of the figure: centre, half axes, lean to its side, and which colour.
-type Part = (Point3<f64>, Vector3<f64>, f64, usize);
+/// A part of the figure: centre, half axes, how it leans to its side and back, and which colour.
+type Part = (Point3<f64>, Vector3<f64>, [Rotation3<f64>; 2], usize);
 
 fn figure(aside: f64) -> Vec<Part> {
     let part = |c: [f64; 3], r: [f64; 3], lean: f64, color| {
         let at = Point3::new(c[0] + aside, c[1], c[2]);
-        (at, Vector3::from(r), lean.to_radians(), color)
+        let turn = Rotation3::from_axis_angle(&Vector3::y_axis(), f64::to_radians(lean));
+        (at, Vector3::from(r), [turn, turn.inverse()], color)
     };
     let mut all = vec![
         part([0.0, 0.0, 1650.0], [78.0, 95.0, 120.0], 0.0, 0),
@@ -134,10 +135,9 @@ impl Scene {
         };
         let (mut along, axis) = (0..3).map(wall).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
         let mut met: Option<(usize, f64)> = None;
-        for (centre, axes, lean, color) in &self.figure {
-            let turn = Rotation3::from_axis_angle(&Vector3::y_axis(), *lean);
-            let o = (turn.inverse() * (from - centre)).component_div(axes);
-            let d = (turn.inverse() * ray).component_div(axes);
+        for (centre, axes, [turn, back], color) in &self.figure {
+            let o = (back * (from - centre)).component_div(axes);
+            let d = (back * ray).component_div(axes);
             let (a, b, c) = (d.norm_squared(), o.dot(&d), o.norm_squared() - 1.0);
             let root = b * b - a * c;
             if root <= 0.0 {
