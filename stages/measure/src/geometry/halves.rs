@@ -28,12 +28,12 @@ const DOUBT: f64 = 0.06;
 /// The skin of a thigh's inner half is longer than a tape around that half by at most so much of the
 /// whole tape: more is a web between the thighs, which no photo looks into, and hangs on one of them.
 const WEB: f64 = 0.02;
-/// Whether a thigh's section of a side holds part of a web between the thighs.
-pub(crate) fn webbed(ring: &Ring, side: &Vector3<f64>) -> bool {
+/// How much longer the skin of a thigh's inner half is than a tape around it, as a share of what is a web; 1 and more is one.
+pub(crate) fn webbed(ring: &Ring, side: &Vector3<f64>) -> f64 {
     let inner = |p: &&Point3<f64>| (*p - ring.centre).dot(side) < 0.0;
     let inner: Vec<Point3<f64>> = ring.curve.iter().filter(inner).copied().collect();
     let half = flat(&inner, &level(ring.centre.z));
-    length(&half) - tape(&half) > WEB * ring.tape
+    (length(&half) - tape(&half)) / (WEB * ring.tape)
 }
 
 /// The half of a ring on a side. Folds of photos are filled, so where the skin leaves the outline for the line between both

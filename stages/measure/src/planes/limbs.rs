@@ -5,7 +5,7 @@ use crate::features::extent::extent;
 use crate::features::limb::follow::Knot;
 use crate::features::limb::{Limb, Limbs, Segment};
 use crate::geometry::slices::Ring;
-use nalgebra::Vector3;
+use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Part, Plane, PlaneSigma, Refusal};
 
 /// A plane and how sure it is.
@@ -83,8 +83,13 @@ impl<'a> Across<'a> {
 
     /// At a place of the leg's line.
     pub(super) fn at(&self, s: f64) -> Option<(Plane, Ring)> {
+        self.through(self.leg.point(s))
+    }
+
+    /// Around a point.
+    pub(super) fn through(&self, point: Point3<f64>) -> Option<(Plane, Ring)> {
         let plane = Plane {
-            point_mm: self.leg.point(s).into(),
+            point_mm: point.into(),
             normal: self.down.into(),
         };
         let ring = self.limbs.cuts.ring(&plane, self.within, 0.0)?;

@@ -10,14 +10,12 @@ use crate::geometry::slices::rings;
 use crate::sections::across_arm::completed;
 use crate::sections::arm_inferred::onward;
 use crate::sections::beside_trunk::FreedArm;
-use crate::sections::down_arm::{CLEAN, Clear, DownArm, ROUND, gap, round};
+use crate::sections::down_arm::{CLEAN, DownArm, ROUND, gap, round};
 use crate::sections::one::{FUSED, SectionMeasurement, Why, plain};
 use nalgebra::{Matrix3, Vector3};
 use shape::{Landmark, Mesh};
 use std::f64::consts::TAU;
 
-/// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
-const LOOSE: f64 = 0.03;
 /// Directions of support functions (structural: samples).
 const WAYS: usize = 180;
 /// Doubt of a girth whose inner half is given by another section, as a share of what is given.
@@ -41,21 +39,16 @@ fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
     reach.fold(f64::MIN, f64::max)
 }
 
-/// Frees an arm's outline of what hangs on its inner half, by a clear section. Both are about their middles; `outward` points away from
-/// the trunk. Of an outline that is `open` to it, the inner half is the clear section's.
-pub(crate) fn freed(
-    here: &[[f64; 2]],
-    clear: &[[f64; 2]],
-    outward: [f64; 2],
-    open: bool,
-) -> Option<FreedArm> {
+/// Completes the outer half of an arm's outline by the inner half of a clear section. Both are about their middles; `outward` points
+/// away from the trunk.
+pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) -> Option<FreedArm> {
     let radius = tape(clear) / TAU;
     // Of a ring that the trunk is part of, only what is near can be the arm; its inner side is the trunk's by then.
     let out = |p: &[f64; 2]| p[0] * outward[0] + p[1] * outward[1];
     let near: Vec<[f64; 2]> = here
         .iter()
         .filter(|p| libm::hypot(p[0], p[1]) < 1.6 * radius)
-        .filter(|p| !open || out(p) > -INNER * radius)
+        .filter(|p| out(p) > -INNER * radius)
         .copied()
         .collect();
     if near.len() < 8 {
@@ -78,28 +71,20 @@ pub(crate) fn freed(
     let grown = |n: [f64; 2]| fit.x * n[0] + fit.y * n[1] + fit.z * support(clear, n);
     let squares = outer.iter().map(|(n, reach)| (reach - grown(*n)).powi(2));
     let mean = squares.sum::<f64>() / outer.len() as f64;
-    let misfit = if open { mean.sqrt() / radius } else { 0.0 };
+    let misfit = mean.sqrt() / radius;
     let mut points = near;
-    if open {
-        points.extend(
-            clear
-                .iter()
-                .map(|p| [fit.x + fit.z * p[0], fit.y + fit.z * p[1]])
-                .filter(|p| inner([p[0] - fit.x, p[1] - fit.y])),
-        );
-    }
+    points.extend(
+        clear
+            .iter()
+            .map(|p| [fit.x + fit.z * p[0], fit.y + fit.z * p[1]])
+            .filter(|p| inner([p[0] - fit.x, p[1] - fit.y])),
+    );
     let mut outline = hull(&points);
-    let mut inferred = 0;
-    for k in 0..WAYS {
-        let n = way(k);
-        let most = grown(n);
-        let beyond = support(&outline, n) > most + LOOSE * radius;
-        if inner(n) && (open || beyond) {
-            outline = clipped(&outline, n, most);
-            inferred += 1;
-        }
+    let inferred: Vec<[f64; 2]> = (0..WAYS).map(way).filter(|n| inner(*n)).collect();
+    for n in &inferred {
+        outline = clipped(&outline, *n, grown(*n));
     }
-    let share = inferred as f64 / WAYS as f64;
+    let share = inferred.len() as f64 / WAYS as f64;
     // What is hidden may have grown as what shows, not at all, or anything between.
     let growth = share * (1.0 - 1.0 / fit.z) / 3f64.sqrt();
     let doubt = libm::hypot(libm::hypot(DOUBT * share, MISFIT_DOUBT * misfit), growth);
@@ -108,20 +93,6 @@ pub(crate) fn freed(
         sigma_mm: doubt * tape(&outline),
         outline,
     })
-}
-
-/// An arm's own outline, the rounder the surer: of one that is not, what the clear section takes from it may be a web's or the arm's.
-fn whole(own: &[[f64; 2]], roundness: f64, clear: &Clear) -> FreedArm {
-    let own = FreedArm {
-        outline: hull(own),
-        share: 0.0,
-        sigma_mm: 0.0,
-    };
-    let webbed = ((CLEAN - roundness) / (CLEAN - ROUND)).clamp(0.0, 1.0);
-    match freed(&own.outline, &clear.reference, clear.outward, false) {
-        Some(free) if webbed > 0.0 => own.or(1.0 - webbed / 2.0, free),
-        _ => own,
-    }
 }
 
 /// Takes the section of an upper arm; the plane's normal points down the arm.
@@ -135,9 +106,12 @@ pub(crate) fn across_arm_of_hull(
     let down = DownArm::of(mesh, body, plane);
     let own = down.small(0).map(|(_, ring)| ring);
     let all = rings(&down.part, plane);
-    // The chance that no error as large as the gap joins or parts what is finer than an edge.
-    let apart = own.as_ref().map_or(0.0, |ring| gap(ring, &all));
-    let chance = libm::erf(apart / (2f64.sqrt() * mesh.mean_edge()));
+    // The chance that no error as large as the gap, or as the way up to where it ends, joins or parts what is finer than an edge.
+    let edge = mesh.mean_edge();
+    let apart = own
+        .as_ref()
+        .map_or(0.0, |ring| gap(ring, &all).min(down.clear_up(edge)));
+    let chance = libm::erf(apart / (2f64.sqrt() * edge));
     let clean = own.as_ref().filter(|r| round(r) > CLEAN && chance > SURE);
     if let Some(ring) = clean {
         return plain(mesh, plane, ring.clone());
@@ -148,10 +122,7 @@ pub(crate) fn across_arm_of_hull(
         .map(|(k, r)| (f64::from(k), r.tape))
         .collect();
     let below = onward(&tapes, f64::from(clear.steps[1]), &clear.reference);
-    let open = |ring| {
-        let flat = clear.flat(ring, plane);
-        freed(&flat, &clear.reference, clear.outward, true)
-    };
+    let open = |ring| freed(&clear.flat(ring, plane), &clear.reference, clear.outward);
     let outer = match &own {
         Some(ring) => open(ring),
         None => all.iter().find_map(open),
@@ -160,10 +131,21 @@ pub(crate) fn across_arm_of_hull(
         (Some(outer), Some(below)) => Some(outer.and(below)),
         (outer, below) => outer.or(below),
     };
-    let whole = own.map(|ring| whole(&clear.flat(&ring, plane), round(&ring), &clear));
-    let free = match (whole, joined) {
-        (Some(whole), Some(joined)) => whole.or(chance, joined),
-        (whole, joined) => whole.or(joined).ok_or(FUSED)?,
+    // Its own outline is the arm's if it is apart; of one that is not round, a web on it is even odds.
+    let own = own.map(|ring| {
+        let bare = ((round(&ring) - ROUND) / (CLEAN - ROUND)).clamp(0.0, 1.0);
+        (
+            chance * (1.0 + bare) / 2.0,
+            FreedArm {
+                outline: hull(&clear.flat(&ring, plane)),
+                share: 0.0,
+                sigma_mm: 0.0,
+            },
+        )
+    });
+    let free = match (own, joined) {
+        (Some((chance, own)), Some(joined)) => own.or(chance, joined),
+        (own, joined) => own.map(|o| o.1).or(joined).ok_or(FUSED)?,
     };
     Ok(completed(free, clear.origin, plane))
 }
@@ -179,18 +161,6 @@ mod tests {
             .collect()
     }
 
-    #[test]
-    fn a_fold_that_hangs_on_the_inner_half_is_cut_away() {
-        let (mut here, clear) = (oval(55.0, 48.0), oval(50.0, 44.0));
-        let own = tape(&here);
-        here.extend([[-68.0, 22.0], [-66.0, -5.0]]);
-        let here = hull(&here);
-        assert!(tape(&here) > 1.03 * own);
-        let free = freed(&here, &clear, [1.0, 0.0], false).unwrap();
-        proof::near(tape(&free.outline) / own, 1.0, 0.012);
-        assert!(free.share > 0.05 && free.share < 0.5);
-    }
-
     /// An arm open to the trunk, with points of a web.
     fn webbed(web: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let arm = oval(55.0, 48.4).into_iter().filter(|p| p[0] > -20.0);
@@ -201,7 +171,7 @@ mod tests {
     #[test]
     fn a_ring_open_to_the_trunk_gets_its_inner_half_from_the_clear_section() {
         let clear = oval(50.0, 44.0);
-        let free = freed(&webbed(&[]), &clear, [1.0, 0.0], true).unwrap();
+        let free = freed(&webbed(&[]), &clear, [1.0, 0.0]).unwrap();
         proof::near(tape(&free.outline) / tape(&oval(55.0, 48.4)), 1.0, 0.01);
     }
 
@@ -210,20 +180,12 @@ mod tests {
      {
         let clear = oval(50.0, 44.0);
         let doubt = |web: &[[f64; 2]], clear: &[[f64; 2]]| {
-            let free = freed(&webbed(web), clear, [1.0, 0.0], true).unwrap();
+            let free = freed(&webbed(web), clear, [1.0, 0.0]).unwrap();
             free.sigma_mm / tape(&free.outline)
         };
         let slight = doubt(&[[20.0, 55.0]], &clear);
         let strong = doubt(&[[20.0, 70.0], [0.0, 78.0]], &clear);
         assert!(doubt(&[], &clear) < slight && slight < strong && strong > 0.1);
         assert!(doubt(&[], &oval(35.0, 31.0)) > doubt(&[], &clear) + 0.05);
-    }
-
-    #[test]
-    fn a_plain_arm_is_left_as_it_is() {
-        let (here, clear) = (oval(55.0, 48.0), oval(50.0, 44.0));
-        let free = freed(&here, &clear, [1.0, 0.0], false).unwrap();
-        assert_eq!((free.share, free.sigma_mm), (0.0, 0.0));
-        proof::near(tape(&free.outline), tape(&here), 1e-9);
     }
 }

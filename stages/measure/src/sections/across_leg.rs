@@ -25,7 +25,7 @@ pub(crate) fn across_leg(
         return Err(HAND);
     }
     let inner = extent(&ring, &(body.left * side)).ok_or(NOTHING)?.0;
-    let alone = |ring: Ring| match webbed(&ring, &(body.left * side)) {
+    let alone = |ring: Ring| match webbed(&ring, &(body.left * side)) >= 1.0 {
         true if matches!(landmark.id, GirthId::Thigh(_)) => Err(FUSED),
         _ => plain(mesh, &landmark.plane, ring),
     };

@@ -20,6 +20,11 @@ const DOWN: f64 = 0.078;
 /// From one section to the next, as a share of stature; structural, the spacing of samples.
 const STEP: f64 = 0.004;
 
+/// How far up from a plane an arm's sections are looked at, in edges of the mesh (structural: an error of one is smaller by nearly
+/// all chance), and by how many steps (structural: samples).
+const UP: f64 = 4.0;
+const STEPS_UP: u8 = 8;
+
 /// A ring's area against a circle's of the same tape.
 pub(super) fn round(ring: &Ring) -> f64 {
     4.0 * PI * ring.area / (ring.tape * ring.tape)
@@ -81,23 +86,51 @@ impl<'a> DownArm<'a> {
             stature: body.stature,
             trunk: body.trunk(level).map_or(f64::MAX, |r| r.area),
             last,
-            part: slab(mesh, plane, -step, f64::from(last + 1) * step),
+            part: slab(
+                mesh,
+                plane,
+                -step.max(UP * mesh.mean_edge()),
+                f64::from(last + 1) * step,
+            ),
         }
     }
 
     /// The section so many steps down, if it is small and about the arm's axis.
     pub(super) fn small(&self, k: i32) -> Option<(i32, Ring)> {
-        if k > self.last {
-            return None;
-        }
-        let point = Point3::from(self.plane.point_mm) + self.down * (f64::from(k) * self.step);
+        let mm = f64::from(k) * self.step;
+        (k <= self.last).then(|| Some((k, self.at(mm)?)))?
+    }
+
+    /// The same, so far down. \[mm\]
+    fn at(&self, mm: f64) -> Option<Ring> {
+        let point = Point3::from(self.plane.point_mm) + self.down * mm;
         let there = Plane {
             point_mm: point.into(),
             ..*self.plane
         };
         let ring = nearest(&self.part, &there)?;
         let near = (ring.centre - point).norm() < 0.02 * self.stature;
-        (ring.area < 0.25 * self.trunk && near).then_some((k, ring))
+        (ring.area < 0.25 * self.trunk && near).then_some(ring)
+    }
+
+    /// How far up from the plane its sections are small, as far as [`UP`] edges. \[mm\]
+    pub(super) fn clear_up(&self, edge: f64) -> f64 {
+        let most = UP * edge;
+        let way = |i: f64| most * i / f64::from(STEPS_UP);
+        let Some(ends) = (1..=STEPS_UP)
+            .map(f64::from)
+            .find(|i| self.at(-way(*i)).is_none())
+        else {
+            return most;
+        };
+        let halved = (0..4).fold((way(ends - 1.0), way(ends)), |(clear, not), _| {
+            let middle = (clear + not) / 2.0;
+            match self.at(-middle) {
+                Some(_) => (middle, not),
+                None => (clear, middle),
+            }
+        });
+        (halved.0 + halved.1) / 2.0
     }
 
     /// The same, if it is round, too: the arm's alone.
