@@ -70,6 +70,7 @@ fn picture(k: usize) -> Picture {
         centre,
         focal,
         inside: Some(inside.into()),
+        border: None,
         noise: 1.0,
     }
 }

@@ -42,8 +42,8 @@ pub fn outside(
         .collect()
 }
 
-/// Whether a point shows more than `slack_px` outside of a picture's silhouette. What the picture
-/// does not hold may be anything.
+/// Whether a point shows more than `slack_px` outside of a picture's silhouette, and more than two standard deviations of
+/// its border. What the picture does not hold may be anything.
 fn beyond(picture: &Picture, x: &Point3<f64>, slack_px: f64) -> bool {
     let Some(inside) = &picture.inside else {
         return false;
@@ -51,5 +51,6 @@ fn beyond(picture: &Picture, x: &Point3<f64>, slack_px: f64) -> bool {
     let Some((at, _)) = picture.project(x) else {
         return false;
     };
+    let slack_px = slack_px.max(2.0 * picture.border_sigma(at));
     picture.holds(at, 2.0) && f64::from(inside.sample(at[0] as f32, at[1] as f32)) < -slack_px
 }

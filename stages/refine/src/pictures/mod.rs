@@ -1,12 +1,14 @@
 //! Photos made ready to be compared: `turn` (what stages read) → `prepare`, `need` (how much memory) →
 //! `picture`; `depth` (what hides what) → `picture` →
-//! `crop` (the body's part), `halving`, `resample`.
+//! `border` (how sure it is), `crop` (the body's part) → `pinhole`, `halving`, `resample`.
 
+pub mod border;
 pub(crate) mod crop;
 pub mod depth;
 pub mod halving;
 pub(crate) mod need;
 pub mod picture;
+pub(crate) mod pinhole;
 pub mod prepare;
 pub mod resample;
 pub mod turn;

@@ -3,7 +3,7 @@
 //! What a pixel and a vertex take was read off peaks of single stages on turns of 18 photos of 1 and 4 megapixels.
 
 use crate::pictures::crop::Crop;
-use crate::pictures::picture::{halved_size, pinhole};
+use crate::pictures::pinhole::{halved_size, pinhole};
 use crate::pictures::prepare::{halvings, posed};
 use shape::{Cameras, Masks, Mesh, Photos};
 
@@ -30,12 +30,17 @@ const VERTICES: f64 = std::f64::consts::PI / 0.866;
 /// It is structural: what the memory is planned by.
 const COVERS: f64 = 0.3;
 
+/// What is kept of a photo's outline: one number a pixel of a photo of 800 × 800 at most (structural: what the buffers hold). \[bytes\]
+const OUTLINE: f64 = 800.0 * 800.0 * 4.0;
+
 /// What [`pictures`](crate::pictures::prepare::pictures) takes: those that stay, and what it takes to make them.
 pub(crate) struct Need {
     /// Pixels of all pictures.
     pixels: f64,
     /// Pixels of the largest photo.
     photo: f64,
+    /// Photos whose outlines are known.
+    outlines: f64,
     /// Pixels of a picture that the body covers, in the middle.
     body: f64,
 }
@@ -52,6 +57,7 @@ impl Need {
         let mut need = Need {
             pixels: 0.0,
             photo: 0.0,
+            outlines: 0.0,
             body: 0.0,
         };
         let views = posed(photos, cameras);
@@ -63,6 +69,7 @@ impl Need {
             let picture = (whole[0] * whole[1]) as f64;
             let mask = masks.and_then(|masks| masks.views.get(*id));
             let share = mask.map_or(COVERS, |m| m.area() as f64 / m.data.len().max(1) as f64);
+            need.outlines += f64::from(u8::from(mask.is_some()));
             let shown = pinhole(&view.camera.lens, whole);
             need.pixels += mask.map_or(picture, |mask| {
                 Crop::around(mask, &view.camera.lens, &shown).area() as f64
@@ -76,7 +83,9 @@ impl Need {
     /// Of the pictures, so many of each, and of making them. \[bytes\]
     pub(crate) fn pictures(&self, copies: u32) -> f64 {
         let threads = rayon::current_num_threads() as f64;
-        f64::from(copies) * self.pixels * PICTURE_PIXEL + threads * self.photo * PHOTO_PIXEL
+        f64::from(copies) * self.pixels * PICTURE_PIXEL
+            + threads * self.photo * PHOTO_PIXEL
+            + self.outlines * OUTLINE
     }
 
     /// Of a surface with so long edges, or of the one that is there where none are asked for. \[px, bytes\]

@@ -1,10 +1,12 @@
 //! One photo, ready to be compared: free of distortion, one level of its Gaussian pyramid.
 
+use crate::pictures::border::Border;
 use crate::pictures::crop::Crop;
 use crate::pictures::halving::halved;
+use crate::pictures::pinhole::{halved_size, pinhole, straightened};
 use crate::pictures::resample::resampled;
-use nalgebra::{Matrix3x4, Point3, Vector2, Vector3};
-use shape::{Camera, Gray, Intrinsics, Mask, Warp, signed_distance};
+use nalgebra::{Matrix3x4, Point3, Vector3};
+use shape::{Camera, Gray, Intrinsics, Mask, Outline, Warp, signed_distance};
 use std::sync::Arc;
 
 /// What a photo shows at one level of the pyramid, wherever it was taken from: of one with a silhouette only the part that
@@ -14,6 +16,7 @@ pub struct Shown {
     whole: [usize; 2],
     corner: [usize; 2],
     inside: Option<Arc<Gray>>,
+    border: Option<Border>,
     noise: f32,
 }
 
@@ -34,6 +37,8 @@ pub struct Picture {
     pub focal: f64,
     /// Signed distance to the silhouette's border, positive inside. \[px of this level\]
     pub inside: Option<Arc<Gray>>,
+    /// How sure that border is.
+    pub border: Option<Border>,
     /// Standard deviation of the noise, estimated from the photo itself. \[grey levels\]
     pub noise: f32,
 }
@@ -76,9 +81,16 @@ impl Shown {
             whole,
             corner: crop.corner,
             inside: inside.map(Arc::new),
+            border: None,
             // A halving by [1 3 3 1]/8 along both sides leaves 5/16 of white noise's deviation.
             noise: (noise * 0.3125f32.powi(halvings as i32)).max(0.25),
         }
+    }
+
+    /// With what a photo with this lens shows of its outline.
+    pub fn with_outline(self, outline: &Outline, lens: &Intrinsics) -> Self {
+        let border = Some(Border::of(outline, lens, self.whole));
+        Shown { border, ..self }
     }
 }
 
@@ -103,6 +115,7 @@ impl Picture {
             centre: camera.centre(),
             focal: focal(&lens),
             inside: shown.inside.clone(),
+            border: shown.border.clone(),
             noise: shown.noise,
         }
     }
@@ -123,6 +136,7 @@ impl Picture {
             centre: camera.centre(),
             focal: focal(&lens),
             inside: None,
+            border: None,
             noise: 0.0,
         }
     }
@@ -157,6 +171,8 @@ impl Picture {
             centre: self.centre,
             focal: self.focal,
             inside: self.inside.as_ref().map(drawn),
+            // Nearly alike from pixel to pixel.
+            border: self.border.clone(),
             noise: self.noise,
         }
     }
@@ -193,23 +209,16 @@ impl Picture {
         at[0] >= margin && at[1] >= margin && at[0] < w - 1.0 - margin && at[1] < h - 1.0 - margin
     }
 
+    /// Standard deviation of the silhouette's border near a pixel; 0 where it is not known. \[px\]
+    pub fn border_sigma(&self, at: [f64; 2]) -> f64 {
+        let on_whole = [0, 1].map(|i| at[i] + self.corner[i] as f64);
+        let sigma = |border: &Border| border.sigma_px(on_whole);
+        self.border.as_ref().map_or(0.0, sigma)
+    }
+
     /// What a pixel covers at a depth. \[mm\]
     pub fn footprint(&self, depth_mm: f64) -> f64 {
         depth_mm / self.focal
-    }
-}
-
-/// Width and height after so many halvings. \[px\]
-pub(crate) fn halved_size(lens: &Intrinsics, halvings: u32) -> [usize; 2] {
-    let half = |n: u32| (0..halvings).fold(n as usize, |n, _| (n / 2).max(1));
-    [half(lens.width), half(lens.height)]
-}
-
-/// A lens without distortion for the photo at this size.
-pub(crate) fn pinhole(lens: &Intrinsics, [width, height]: [usize; 2]) -> Intrinsics {
-    Intrinsics {
-        radial: [0.0; 2],
-        ..lens.resized(width as u32, height as u32)
     }
 }
 
@@ -225,24 +234,6 @@ fn projection(lens: &Intrinsics, camera: &Camera) -> Matrix3x4<f64> {
         .copy_from(camera.pose.rotation.matrix());
     pose.set_column(3, &camera.pose.translation);
     lens.matrix() * pose
-}
-
-/// An image as a lens `to` without distortion shows it; `from` is the image's own lens.
-fn straightened(image: &Gray, from: &Intrinsics, to: &Intrinsics) -> Gray {
-    let size = (to.width as usize, to.height as usize);
-    resampled(
-        image,
-        size,
-        #[inline(always)]
-        |y, columns, rows| {
-            let down = (y as f64 - to.centre[1]) / to.focal[1];
-            for x in 0..size.0 {
-                let across = (x as f64 - to.centre[0]) / to.focal[0];
-                let at = from.distort(Vector2::new(across, down));
-                (columns[x], rows[x]) = (at.x as f32, at.y as f32);
-            }
-        },
-    )
 }
 
 /// Standard deviation of an image's noise: the median of its responses to a mask that is blind to

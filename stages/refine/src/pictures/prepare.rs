@@ -2,7 +2,9 @@
 
 use crate::pictures::picture::{Picture, Shown};
 use rayon::prelude::*;
-use shape::{Cameras, Intrinsics, Mask, Masks, Mesh, PhotoError, PhotoId, Photos, View, Warps};
+use shape::{
+    Cameras, Intrinsics, Mask, Masks, Mesh, Outline, PhotoError, PhotoId, Photos, View, Warps,
+};
 use stage::Hash;
 use std::sync::Arc;
 
@@ -107,7 +109,12 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
             if let Some(shown) = photo.file.kept::<Shown>(by) {
                 return Ok(Picture::of(&shown, &view.camera));
             }
-            let shown = Shown::new(photo.decode()?.gray(), lens, mask, halvings);
+            let decoded = photo.decode()?;
+            let outline = mask.and_then(|mask| Outline::of(&decoded, mask));
+            let mut shown = Shown::new(decoded.gray(), lens, mask, halvings);
+            if let Some(outline) = outline {
+                shown = shown.with_outline(&outline, lens);
+            }
             let shown = Arc::new(shown);
             // At full size it would take as much again as the stage that looks at it.
             if level > 0 {

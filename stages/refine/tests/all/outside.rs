@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use refine::evidence::outside::outside;
 use refine::pictures::picture::Picture;
 use refine::pictures::prepare::{footprint, pictures};
-use shape::{Masks, Mesh};
+use shape::{Masks, Mesh, SHOWN};
 use stage::Stop;
 use turn::{RADIUS, ball, camera, turn};
 
@@ -85,5 +85,30 @@ fn a_gap_that_one_photo_looks_through_is_kept_open_on_both_sides() {
     for (name, far) in [("near", side(true)), ("far", side(false))] {
         assert!(far.len() > 3, "{} vertices on the {name} side", far.len());
         assert!(far.iter().all(|f| *f > 0.0), "{name}: {far:?}");
+    }
+}
+
+#[test]
+fn an_outline_that_its_photo_does_not_show_bounds_less() {
+    // The first photo's mask ends six pixels within the ball, where both sides have the ball's grey.
+    let (photos, cameras, mut masks) = turn(1.0, &[]);
+    let bitten = masks.views.get_mut(shape::PhotoId(0)).unwrap();
+    let depth = shape::signed_distance(bitten);
+    let within = bitten.data.iter_mut().zip(&depth.data);
+    within.for_each(|(cover, depth)| *cover = if *depth > 6.0 { *cover } else { 0 });
+    let pictures = pictures::<Stop>(&photos, &cameras, Some(&masks), 0, 6.0, || Ok(())).unwrap();
+    let outline = |picture: &Picture| {
+        let inside = picture.inside.as_ref().unwrap();
+        let on = |i: &usize| (0.0..1.0).contains(&inside.data[*i]);
+        let at = (0..inside.data.len())
+            .filter(on)
+            .map(|i| [i % inside.width, i / inside.width]);
+        at.map(|at| at.map(|v| v as f64)).collect::<Vec<_>>()
+    };
+    for at in outline(&pictures[0]) {
+        assert!(pictures[0].border_sigma(at) > 4.0 * SHOWN * 110.0);
+    }
+    for at in outline(&pictures[1]) {
+        assert!(pictures[1].border_sigma(at) < 1.01 * SHOWN * 122.0);
     }
 }
