@@ -51,6 +51,9 @@ fn beyond(picture: &Picture, x: &Point3<f64>, slack_px: f64) -> bool {
     let Some((at, _)) = picture.project(x) else {
         return false;
     };
-    let slack_px = slack_px.max(2.0 * picture.border_sigma(at));
-    picture.holds(at, 2.0) && f64::from(inside.sample(at[0] as f32, at[1] as f32)) < -slack_px
+    if !picture.holds(at, 2.0) {
+        return false;
+    }
+    let out = -f64::from(inside.sample(at[0] as f32, at[1] as f32));
+    out > slack_px && out > 2.0 * picture.border_sigma(at)
 }
