@@ -5,7 +5,7 @@
 use crate::pictures::crop::Crop;
 use crate::pictures::pinhole::{halved_size, pinhole};
 use crate::pictures::prepare::{halvings, posed};
-use shape::{Cameras, Masks, Mesh, Photos};
+use shape::{Cameras, Masks, Mesh, Outline, Photos};
 
 /// Of a pixel of a picture: brightness, and the distance to the silhouette (structural: what the buffers hold). \[bytes\]
 const PICTURE_PIXEL: f64 = 8.0;
@@ -29,9 +29,6 @@ const VERTICES: f64 = std::f64::consts::PI / 0.866;
 /// Of a body whose silhouettes nobody gave, the share of a photo that it covers.
 /// It is structural: what the memory is planned by.
 const COVERS: f64 = 0.3;
-
-/// What is kept of a photo's outline: one number a pixel of a photo of 800 × 800 at most (structural: what the buffers hold). \[bytes\]
-const OUTLINE: f64 = 800.0 * 800.0 * 4.0;
 
 /// What [`pictures`](crate::pictures::prepare::pictures) takes: those that stay, and what it takes to make them.
 pub(crate) struct Need {
@@ -85,7 +82,7 @@ impl Need {
         let threads = rayon::current_num_threads() as f64;
         f64::from(copies) * self.pixels * PICTURE_PIXEL
             + threads * self.photo * PHOTO_PIXEL
-            + self.outlines * OUTLINE
+            + self.outlines * (Outline::MOST_PIXELS * size_of::<f32>()) as f64
     }
 
     /// Of a surface with so long edges, or of the one that is there where none are asked for. \[px, bytes\]
