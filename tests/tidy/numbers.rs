@@ -18,7 +18,7 @@ const UNSOURCED: [(&str, usize); 13] = [
     ("refine", 8),
     ("report", 4),
     ("shape", 10),
-    ("silhouette", 116),
+    ("silhouette", 96),
     ("synth", 10),
     ("turning", 17),
 ];

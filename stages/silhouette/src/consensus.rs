@@ -5,9 +5,9 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Mask, PhotoId};
 
-/// Cells along the greatest side of the block that is carved.
-const CELLS: f64 = 210.0;
-/// Photos that may dissent: one is the photo in question, one more may be wrong.
+/// Cells along the greatest side of the block that is carved. By hand: not on record.
+const CELLS_ALONG: f64 = 210.0;
+/// Photos that may dissent: one is the photo in question, one more may be wrong. By hand: not on record.
 pub(crate) const DISSENT: usize = 2;
 /// Cells around all that is shown (structural).
 const MARGIN: f64 = 4.0;
@@ -144,7 +144,7 @@ fn block(views: &[View<'_>], ground: f64, shows: &dyn Fn(&Point3<f64>) -> bool) 
         return None;
     }
     lo[2] = lo[2].max(ground);
-    let cell = (0..3).map(|a| hi[a] - lo[a]).fold(0.0, f64::max) / CELLS;
+    let cell = (0..3).map(|a| hi[a] - lo[a]).fold(0.0, f64::max) / CELLS_ALONG;
     let margin = cell * MARGIN;
     let count = [0, 1, 2].map(|a| ((hi[a] - lo[a] + 2.0 * margin) / cell) as usize + 1);
     // The lowest cells are cut through by the ground.

@@ -8,10 +8,11 @@ use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Alignment, Gray, Placed, Rgb, Tones, register, registered};
 
-/// Photos of a turn are of the same exposure where ratios are off one by less than this.
-const SAME: f32 = 0.003;
-/// Levels by which exposures are compared.
-const COMPARED: std::ops::Range<usize> = 40..248;
+/// Photos of a turn are of the same exposure where ratios are off one by less than this: 0.43 levels of the middle of
+/// [`COMPARED_LEVELS`] (structural: `changes` leaves out what changes less than half a level).
+const SAME_EXPOSURE: f32 = 0.003;
+/// Levels by which exposures are compared. By hand: not on record.
+const COMPARED_LEVELS: std::ops::Range<usize> = 40..248;
 
 /// The photo laid on the plate, both reduced by a factor. Its exposure stays: the plate is brought to it.
 pub(crate) fn on_plate(photo: &Rgb, plate: &Gray, factor: usize) -> Alignment {
@@ -34,15 +35,20 @@ pub(crate) fn on_each_other(photos: &[Rgb]) -> Vec<Placed> {
 /// What brings photos to the exposure of the middle one, once they are laid on each other.
 pub(crate) fn exposed_alike(photos: &[Rgb], placed: &[Placed]) -> Vec<Option<Tones>> {
     let reference = middle(photos, placed);
-    let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME).filter(changes);
+    let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME_EXPOSURE).filter(changes);
     photos.par_iter().map(alike).collect()
 }
 
 /// Whether levels change by half a level in the mean of a channel, those left out that are dark or cut off.
 fn changes(levels: &Tones) -> bool {
-    let off =
-        |of: &[u8; 256]| -> u32 { COMPARED.map(|v| u32::from(of[v].abs_diff(v as u8))).sum() };
-    levels.iter().any(|of| 2 * off(of) >= COMPARED.len() as u32)
+    let off = |of: &[u8; 256]| -> u32 {
+        COMPARED_LEVELS
+            .map(|v| u32::from(of[v].abs_diff(v as u8)))
+            .sum()
+    };
+    levels
+        .iter()
+        .any(|of| 2 * off(of) >= COMPARED_LEVELS.len() as u32)
 }
 
 /// The middle of all photos, channel by channel, once their brightness is the same.

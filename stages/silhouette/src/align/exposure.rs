@@ -6,29 +6,33 @@
 
 use shape::{Rgb, Tones};
 
-/// Bins of the logarithm of a ratio, and how wide they are. Ratios from 0.3 to 3.3.
+/// Bins of the logarithm of a ratio, from 0.3 to 3.3 (derived: e^−1.2 to e^1.2).
 const BINS: usize = 240;
-const WIDE: f32 = 0.01;
-/// Levels of the plate that tell ratios: darker ones are too coarse, brighter ones may be cut off.
-const TELLING: std::ops::RangeInclusive<u8> = 40..=248;
-/// Share of the telling pixels that must keep to the ratio.
-const KEEP: f32 = 0.12;
-/// How far from the ratio a pixel keeps to it, as a share, in two rounds.
-const NEAR: [f32; 2] = [0.06, 0.03];
-/// Steps of the plate's levels in which the curve is found, and pixels that each needs.
-const STEP: usize = 16;
-const ENOUGH: u32 = 150;
-/// Levels from here on may be cut off: what they are on the photo is as bright as so many of its pixels
-/// there, since what is darker may be in a shadow.
+/// How wide they are (structural: samples; the ratio is the mean of five of them).
+const BIN_WIDTH: f32 = 0.01;
+/// Levels of the plate that tell ratios: darker ones are too coarse, brighter ones may be cut off. By hand: not on
+/// record.
+const TELLING_LEVELS: std::ops::RangeInclusive<u8> = 40..=248;
+/// Share of the telling pixels that must keep to the ratio. By hand: not on record.
+const KEEPING_SHARE: f32 = 0.12;
+/// How far from the ratio a pixel keeps to it, as a share, in two rounds. By hand: not on record.
+const KEEPS_WITHIN: [f32; 2] = [0.06, 0.03];
+/// Steps of the plate's levels in which the curve is found (structural: samples, between which it is straight).
+const LEVEL_STEP: usize = 16;
+/// Pixels that each step needs (structural: a count of samples; the mean of 150 that differ by 3 levels is sure to
+/// 0.25).
+const ENOUGH_PIXELS: u32 = 150;
+/// Levels from here on may be cut off: what they are on the photo is as bright as so many of a hundred of its pixels
+/// there, since what is darker may be in a shadow. By hand: not on record.
 const CUT_OFF: (u8, usize) = (252, 85);
-/// Ratios that are off one by less than this are the same exposure. What the curve adds to it is a
-/// shadow rather than a camera's.
-const SAME: f32 = 0.012;
+/// Ratios that are off one by less than this are the same exposure. What the curve adds to it is a shadow rather than a
+/// camera's. By hand: not on record.
+const SAME_EXPOSURE: f32 = 0.012;
 
 /// Levels of the plate as the photo would show them. `None` if they are exposed alike, or share too
 /// little to tell.
 pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Tones> {
-    exposure_beyond(photo, plate, SAME)
+    exposure_beyond(photo, plate, SAME_EXPOSURE)
 }
 
 /// The same; ratios that are off one by less than `same` are the same exposure.
@@ -81,7 +85,7 @@ impl Pairs {
         let cut_off = self.each().filter(|(_, e, _)| *e >= CUT_OFF.0);
         cut_off.for_each(|(p, _, count)| counts[usize::from(p)] += count);
         let all: u32 = counts.iter().sum();
-        if all < ENOUGH {
+        if all < ENOUGH_PIXELS {
             return None;
         }
         let want = (all as usize - 1) * CUT_OFF.1 / 100;
@@ -98,20 +102,20 @@ impl Pairs {
 fn ratio(pairs: &Pairs) -> Option<f32> {
     let mut counts = [0u32; BINS];
     let mut all = 0u32;
-    for (photo, plate, count) in pairs.each().filter(|(_, e, _)| TELLING.contains(e)) {
+    for (photo, plate, count) in pairs.each().filter(|(_, e, _)| TELLING_LEVELS.contains(e)) {
         all += count;
         let log = libm::logf(f32::from(photo).max(1.0) / f32::from(plate));
-        let bin = log / WIDE + BINS as f32 / 2.0;
+        let bin = log / BIN_WIDTH + BINS as f32 / 2.0;
         if bin >= 0.0 && (bin as usize) < BINS && photo < CUT_OFF.0 {
             counts[bin as usize] += count;
         }
     }
     let around = |b: usize| -> u32 { counts[b - 2..=b + 2].iter().sum() };
     let best = (2..BINS - 2).max_by_key(|b| (around(*b), BINS - b))?;
-    if all < 300 || (around(best) as f32) < KEEP * all as f32 {
+    if all < 300 || (around(best) as f32) < KEEPING_SHARE * all as f32 {
         return None;
     }
-    let place = |b: usize| (b as f32 + 0.5 - BINS as f32 / 2.0) * WIDE;
+    let place = |b: usize| (b as f32 + 0.5 - BINS as f32 / 2.0) * BIN_WIDTH;
     let moment: f32 = (best - 2..=best + 2)
         .map(|b| place(b) * counts[b] as f32)
         .sum();
@@ -120,21 +124,23 @@ fn ratio(pairs: &Pairs) -> Option<f32> {
 
 /// What the photo's levels are off `gain` times the plate's, at the middles of steps of the plate's
 /// levels; as beside it where too few pixels keep to the ratio.
-fn curve(pairs: &Pairs, gain: f32) -> [f32; 256 / STEP] {
-    let mut off = [0.0f32; 256 / STEP];
-    for near in NEAR {
-        let (mut sums, mut counts) = ([0.0f64; 256 / STEP], [0u32; 256 / STEP]);
+fn curve(pairs: &Pairs, gain: f32) -> [f32; 256 / LEVEL_STEP] {
+    let mut off = [0.0f32; 256 / LEVEL_STEP];
+    for near in KEEPS_WITHIN {
+        let (mut sums, mut counts) = ([0.0f64; 256 / LEVEL_STEP], [0u32; 256 / LEVEL_STEP]);
         for (photo, plate, count) in pairs.each().filter(|(p, e, _)| *p.max(e) < CUT_OFF.0) {
             let want = gain * f32::from(plate) + between(&off, usize::from(plate));
             let by = f32::from(photo) - want;
             if by.abs() <= (near * want).max(4.0) {
-                let step = usize::from(plate) / STEP;
+                let step = usize::from(plate) / LEVEL_STEP;
                 let off = f64::from(f32::from(photo) - gain * f32::from(plate));
                 sums[step] += off * f64::from(count);
                 counts[step] += count;
             }
         }
-        let known: Vec<usize> = (0..off.len()).filter(|s| counts[*s] >= ENOUGH).collect();
+        let known: Vec<usize> = (0..off.len())
+            .filter(|s| counts[*s] >= ENOUGH_PIXELS)
+            .collect();
         for (step, off) in off.iter_mut().enumerate() {
             let nearest = known.iter().min_by_key(|k| k.abs_diff(step));
             *off = nearest.map_or(0.0, |k| (sums[*k] / f64::from(counts[*k])) as f32);
@@ -144,8 +150,8 @@ fn curve(pairs: &Pairs, gain: f32) -> [f32; 256 / STEP] {
 }
 
 /// The curve between the middles of its steps.
-fn between(curve: &[f32; 256 / STEP], level: usize) -> f32 {
-    let at = (level as f32 + 0.5) / STEP as f32 - 0.5;
+fn between(curve: &[f32; 256 / LEVEL_STEP], level: usize) -> f32 {
+    let at = (level as f32 + 0.5) / LEVEL_STEP as f32 - 0.5;
     let low = at.floor().clamp(0.0, (curve.len() - 2) as f32);
     let share = (at - low).clamp(0.0, 1.0);
     let low = low as usize;

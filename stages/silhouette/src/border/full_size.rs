@@ -14,8 +14,8 @@ use crate::scene::backdrop::Backdrop;
 use shape::{Image, Mask, Rgb};
 use std::ops::Range;
 
-/// Half the side of neighbourhoods. \[px\]
-const REACH: usize = 2;
+/// Half the side of neighbourhoods. By hand: not on record. \[px\]
+const REACH_PX: usize = 2;
 
 /// The border of a coarse cut again at full size, window by window so that memory stays small.
 pub fn fine(
@@ -31,7 +31,7 @@ pub fn fine(
     let (width, height) = (pixels.width, pixels.height);
     // The ground of every pixel is dear, and that of its neighbourhood serves.
     let grounds = Grounds::of(ready.floor.as_ref(), factor, width, height);
-    let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH);
+    let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH_PX);
     let settings = &settings.with(noise);
     if factor == 1 {
         return soft_border(pixels, image, coarse, noise);
@@ -43,7 +43,7 @@ pub fn fine(
         expected: image,
         noise,
         ground: &|x, y| grounds.at(x, y),
-        reach: REACH,
+        reach: REACH_PX,
     };
     let mut cost = settled.cost(&likeness, without, &ready.strange);
     if !ready.mirrored.is_empty() {

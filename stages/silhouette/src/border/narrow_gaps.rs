@@ -13,12 +13,13 @@ use crate::likelihood::person::SURE;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Rgb};
 
-/// A neighbourhood that costs the background no more than this shows it beyond doubt.
-const CERTAIN: f32 = FLAT + 2.0;
-/// How far away colours of the background are asked where nobody saw it, as a share of the photo's height.
-const REACH: f64 = 0.027;
-/// So many places are asked along a row or column to each side.
-const ASKED: usize = 16;
+/// A neighbourhood that costs the background no more than this shows it beyond doubt. By hand: not on record. \[nats\]
+const CERTAIN_NATS: f32 = FLAT + 2.0;
+/// How far away colours of the background are asked where nobody saw it, as a share of the photo's height. By hand: not
+/// on record.
+const REACH_SHARE: f64 = 0.027;
+/// So many places are asked along a row or column to each side (structural: samples).
+const ASKED_PLACES: usize = 16;
 
 /// Gives pixels of the body to the background that are in the narrow ends of gaps, the middle of each
 /// neighbourhood: what is beside may be mixed. The disk is left out, whose light is not known so well. `odds` are the
@@ -91,7 +92,7 @@ impl Gaps<'_> {
             let here = self.known[i];
             // No pixel costs less than the least.
             cost += (here - FLAT) / 9.0;
-            if cost >= CERTAIN - FLAT {
+            if cost >= CERTAIN_NATS - FLAT {
                 return false;
             }
             let of_body = body_cost(self.body, self.photo.data[i]) - self.thinner;
@@ -103,9 +104,9 @@ impl Gaps<'_> {
     /// The cost of a pixel whose background nobody saw: by the colours of what is surely background nearby.
     fn beside(&self, i: usize) -> f32 {
         let (width, height) = (self.photo.width, self.photo.height);
-        let step = ((height as f64 * REACH / ASKED as f64).round() as usize).max(1);
+        let step = ((height as f64 * REACH_SHARE / ASKED_PLACES as f64).round() as usize).max(1);
         let near = |v: usize, most: usize| {
-            let reach = step * ASKED;
+            let reach = step * ASKED_PLACES;
             (v.saturating_sub(reach)..(v + reach + 1).min(most)).step_by(step)
         };
         let mut least = f32::MAX;

@@ -10,10 +10,10 @@ use crate::likelihood::background::Noise;
 use crate::raster::as_mask;
 use shape::{Image, Mask, Rgb};
 
-/// Half the side of the neighbourhood in which the body's colour is sought. \[px\]
-const REACH: usize = 4;
-/// Pixels this far from the border show one side only. \[px\]
-const MIXED: i32 = 2;
+/// Half the side of the neighbourhood in which the body's colour is sought. By hand: not on record. \[px\]
+const REACH_PX: usize = 4;
+/// Pixels this far from the border show one side only. By hand: not on record. \[px\]
+const MIXED_PX: i32 = 2;
 
 /// Coverage of every pixel: 0 or 255 but at the border, where it follows from colours.
 pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
@@ -56,8 +56,8 @@ fn around(
 ) -> Option<([f32; 3], f32)> {
     let (mut body, mut bodies) = ([0.0; 3], 0.0);
     let (mut seen, mut want) = (0.0, 0.0);
-    for row in y.saturating_sub(REACH)..(y + REACH + 1).min(sides.height) {
-        for column in x.saturating_sub(REACH)..(x + REACH + 1).min(sides.width) {
+    for row in y.saturating_sub(REACH_PX)..(y + REACH_PX + 1).min(sides.height) {
+        for column in x.saturating_sub(REACH_PX)..(x + REACH_PX + 1).min(sides.width) {
             if near.at(column, row) {
                 continue;
             }
@@ -87,8 +87,8 @@ fn near_border(sides: &Image<bool>) -> Image<bool> {
     let mut near = Image::filled(w, h, false);
     let mut grow = |x: usize, y: usize| {
         let (x, y) = (x as i32, y as i32);
-        let columns = (x - MIXED + 1).max(0) as usize..(x + MIXED).min(w as i32) as usize;
-        for ny in (y - MIXED + 1).max(0)..(y + MIXED).min(h as i32) {
+        let columns = (x - MIXED_PX + 1).max(0) as usize..(x + MIXED_PX).min(w as i32) as usize;
+        for ny in (y - MIXED_PX + 1).max(0)..(y + MIXED_PX).min(h as i32) {
             near.data[ny as usize * w..][columns.clone()].fill(true);
         }
     };

@@ -7,10 +7,11 @@ use shape::Rgb;
 
 /// Costs are multiplied by this and rounded, so that flows are whole numbers (structural).
 pub(crate) const UNIT: f64 = 64.0;
-/// Contrast beyond which an edge is not any cheaper.
-const MOST: f64 = 12.0;
-/// Share of the price of a border that no edge takes away.
-const LEAST: f64 = 0.15;
+/// Contrast beyond which an edge is not any cheaper (structural: the end of a table, where e^−12 is 0.000 006 of the
+/// price).
+const MOST_CONTRAST: f64 = 12.0;
+/// Share of the price of a border that no edge takes away. By hand: not on record.
+const LEAST_PRICE: f64 = 0.15;
 
 /// A rectangle of an image. \[px\]
 pub(crate) struct Window {
@@ -135,7 +136,7 @@ struct Prices {
 impl Prices {
     fn new(gamma: f64, beta: f64) -> Self {
         // Beyond this all cost the same.
-        let most = (MOST / beta).ceil().min(f64::from(3 * 255 * 255));
+        let most = (MOST_CONTRAST / beta).ceil().min(f64::from(3 * 255 * 255));
         Prices {
             gamma,
             beta,
@@ -147,13 +148,14 @@ impl Prices {
         let apart = (apart as usize).min(self.known.len() - 1);
         let known = &mut self.known[apart][usize::from(corner)];
         if *known == 0 {
-            let contrast = (self.beta * apart as f64).min(MOST);
+            let contrast = (self.beta * apart as f64).min(MOST_CONTRAST);
             let length = if corner {
                 std::f64::consts::FRAC_1_SQRT_2
             } else {
                 1.0
             };
-            let weight = self.gamma * length * (LEAST + (1.0 - LEAST) * libm::exp(-contrast));
+            let weight =
+                self.gamma * length * (LEAST_PRICE + (1.0 - LEAST_PRICE) * libm::exp(-contrast));
             *known = (weight * UNIT / 8.0) as i32;
         }
         *known

@@ -9,26 +9,28 @@ use crate::scene::still_and_disk::Shot;
 use rayon::prelude::*;
 use shape::{Image, Rgb, parts};
 
-/// Photos that were taken within so many degrees are asked.
+/// Photos that were taken within so many degrees are asked. By hand: not on record. \[°\]
 const NEIGHBOUR_DEG: f64 = 45.0;
-/// How far around a patch is still its place, as a share of the photo's height.
+/// How far around a patch is still its place, as a share of the photo's height. By hand: not on record.
 const SAME_PLACE_SHARE: f64 = 0.01;
-/// How far above and below the same part of a body may be on another photo, as a share of the height.
+/// How far above and below the same part of a body may be on another photo, as a share of the height. By hand: not on
+/// record.
 const SAME_HEIGHT_SHARE: f64 = 0.04;
-/// A patch takes so large a share of the body's pixels at least.
+/// A patch takes so large a share of the body's pixels at least. By hand: not on record.
 const MIN_PATCH_SHARE: f64 = 0.001;
-/// Levels by which a colour may differ in each channel and still be the same.
+/// Levels by which a colour may differ in each channel and still be the same. By hand: not on record.
 const SAME_COLOR_LEVELS: u8 = 16;
-/// A colour is found again if so many pixels have it, as a share of the patch's.
+/// A colour is found again if so many pixels have it, as a share of the patch's. By hand: not on record.
 const MIN_FOUND_SHARE: f64 = 0.05;
-/// What so large a share of the photos shows in its place is the body's, near the axis.
+/// What so large a share of the photos shows in its place is the body's, near the axis. By hand: not on record.
 const STAYS_SHARE: f64 = 0.35;
-/// A colour is strange to the body at some height if a smaller share of it has it there.
+/// A colour is strange to the body at some height if a smaller share of it has it there. By hand: not on record.
 const RARE_SHARE: f64 = 0.001;
-/// Levels of a bin of colours, and bins along a channel.
-const BIN: usize = 16;
-/// (derived.)
-const BINS: usize = 256 / BIN;
+/// Levels of a bin of colours (derived: as many as colours differ by that are the same, so that these are in one bin or
+/// the next).
+const BIN_LEVELS: usize = SAME_COLOR_LEVELS as usize;
+/// Bins along a channel (derived).
+const BINS: usize = 256 / BIN_LEVELS;
 
 /// Pixels of each cut that are none of the body. `radius` is the disk's, 0 without one: its top is left out.
 pub(crate) fn background_patches(
@@ -93,7 +95,7 @@ fn patches(of: &Image<bool>) -> Vec<Vec<usize>> {
 }
 
 fn bin(color: [u8; 3]) -> usize {
-    let next = |bin: usize, level: &u8| bin * BINS + usize::from(*level) / BIN;
+    let next = |bin: usize, level: &u8| bin * BINS + usize::from(*level) / BIN_LEVELS;
     color.iter().fold(0, next)
 }
 

@@ -11,23 +11,28 @@ use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
-/// Half the side of a patch. \[px\]
-const REACH: usize = 2;
-/// Patches may differ by so much more than those of most pixels do.
-const OUTLIER: f32 = 3.5;
-/// Least and greatest squared difference that counts as noise before [`OUTLIER`]. \[levels²\]
-const NOISE: (f32, f32) = (0.4, 12.0);
-/// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel.
-const TREMBLE: f32 = 0.005;
-/// Where photos are not equally sharp that is [`OUTLIER`] times what most places of such a contrast differ
-/// by, and at most so much. \[levels²\]
-const STEEP: f32 = 200.0;
-const BLURRED: f32 = 0.06;
-/// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those
-/// that agree do so barely, a body looks nearly alike from several sides: the crown of a head.
-const ALIKE: f32 = 0.45;
-/// Photos that each is compared with, at most: more of them add nothing.
-const PARTNERS: usize = 9;
+/// Half the side of a patch. By hand: not on record. \[px\]
+const REACH_PX: usize = 2;
+/// Patches may differ by so much more than those of most pixels do. By hand: not on record.
+const OUTLIER_FACTOR: f32 = 3.5;
+/// Least and greatest squared difference that counts as noise before [`OUTLIER_FACTOR`]. By hand: not on record.
+/// \[levels²\]
+const NOISE_SQUARED: (f32, f32) = (0.4, 12.0);
+/// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel. By hand: not on
+/// record.
+const TREMBLE_SHARE: f32 = 0.005;
+/// Contrast from which on patches show how sharp a photo is. By hand: not on record. \[levels²\]
+const STEEP_SQUARED: f32 = 200.0;
+/// Where photos are not equally sharp [`TREMBLE_SHARE`] is [`OUTLIER_FACTOR`] times what most places of such a contrast
+/// differ by, and at most so much. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0006 on two
+/// scenes, their least photos −0.0012.
+const BLURRED_SHARE: f32 = 0.06;
+/// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those that agree do so
+/// barely, a body looks nearly alike from several sides: the crown of a head. By hand: not on record.
+const ALIKE_SHARE: f32 = 0.45;
+/// Photos that each is compared with, at most (structural: a cap on work; of up to 18 photos each is compared with
+/// all).
+const MOST_PARTNERS: usize = 9;
 
 /// Mean squared difference of the patches of two photos around each pixel, per channel. \[levels²\]
 fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
@@ -38,7 +43,7 @@ fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
     };
     let sums = Sums::of(w, h, squared);
     let one = |i: usize| {
-        let (sum, count) = sums.around(i, REACH);
+        let (sum, count) = sums.around(i, REACH_PX);
         sum as f32 / (count * 3) as f32
     };
     (0..w * h).map(one).collect()
@@ -57,17 +62,17 @@ fn contrast(photo: &Rgb) -> Vec<f32> {
         right + if y + 1 < h { off(i + w) } else { 0 }
     };
     let sums = Sums::of(w, h, steep);
-    let area = ((2 * REACH + 1) * (2 * REACH + 1) * 3) as f32;
+    let area = ((2 * REACH_PX + 1) * (2 * REACH_PX + 1) * 3) as f32;
     (0..w * h)
-        .map(|i| sums.around(i, REACH).0 as f32 / area)
+        .map(|i| sums.around(i, REACH_PX).0 as f32 / area)
         .collect()
 }
 
 /// Pairs of photos that are compared.
 fn pairs(count: usize) -> Vec<(usize, usize)> {
     let half = count / 2;
-    let mut steps: Vec<usize> = (1..=PARTNERS.min(half))
-        .map(|i| (i * half).div_ceil(PARTNERS.min(half)))
+    let mut steps: Vec<usize> = (1..=MOST_PARTNERS.min(half))
+        .map(|i| (i * half).div_ceil(MOST_PARTNERS.min(half)))
         .collect();
     steps.dedup();
     let all = steps
@@ -98,21 +103,22 @@ impl Unlike {
                 false => *values.select_nth_unstable_by(rank, f32::total_cmp).1,
             }
         };
-        let noise = middle(some().map(|i| far[i]).collect()).clamp(NOISE.0, NOISE.1);
+        let noise =
+            middle(some().map(|i| far[i]).collect()).clamp(NOISE_SQUARED.0, NOISE_SQUARED.1);
         // Some photos are less sharp.
-        let edges = some().filter(|i| steep(*i) > STEEP);
+        let edges = some().filter(|i| steep(*i) > STEEP_SQUARED);
         let blur = middle(
             edges
                 .map(|i| (far[i] - noise).max(0.0) / steep(i))
                 .collect(),
         );
-        let tremble = TREMBLE.max((OUTLIER * blur).min(BLURRED));
+        let tremble = TREMBLE_SHARE.max((OUTLIER_FACTOR * blur).min(BLURRED_SHARE));
         Unlike { noise, tremble }
     }
 
     /// The most by which patches of such a contrast differ that show the same. \[levels²\]
     fn most(&self, steep: f32) -> f32 {
-        OUTLIER * self.noise + self.tremble * steep
+        OUTLIER_FACTOR * self.noise + self.tremble * steep
     }
 }
 
@@ -175,7 +181,7 @@ impl<'a> Recurring<'a> {
         let agree: Vec<usize> = std::iter::once(best)
             .chain(partners.map(|((a, b), _)| a + b - best))
             .collect();
-        let alike = ALIKE.min(least) * 255.0 * (agree.len() - 1) as f32;
+        let alike = ALIKE_SHARE.min(least) * 255.0 * (agree.len() - 1) as f32;
         if (worth[best] as f32) < alike.max(least * 255.0) {
             return None;
         }

@@ -50,10 +50,10 @@ stage::inputs! {
 /// `silhouette.room`: photos, aligned, scene → scene.
 pub struct EmptyScene;
 
-/// Least share of the photos that must be still. \[%\]
+/// Least share of the photos that must be still. By hand: not on record. \[%\]
 const MIN_STILL_PERCENT: f64 = 15.0;
 
-/// A patch that nothing vouches for is named when it takes more of its mask than this. \[%\]
+/// A patch that nothing vouches for is named when it takes more of its mask than this. By hand: not on record. \[%\]
 const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {

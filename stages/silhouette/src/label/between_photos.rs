@@ -25,14 +25,15 @@ use shape::{Cameras, Mask, PhotoId, signed_distance};
 use stage::Hash;
 use std::collections::BTreeMap;
 
-/// Depths that are counted apart, and distances beside the hull, in cells; what is deeper or farther counts as the last.
-/// \[cells\]
-const DEPTHS: usize = 12;
-/// Nearer to the surface than this, within or beyond, cells show nothing: their own size and a coat. \[cells\]
-const SURFACE: u8 = 1;
+/// Depths that are counted apart, and distances beside the hull, in cells; what is deeper or farther counts as the
+/// last. By hand: not on record. \[cells\]
+const DEPTH_CLASSES: usize = 12;
+/// Nearer to the surface than this, within or beyond, cells show nothing: their own size and a coat. By hand: not on
+/// record. \[cells\]
+const SURFACE_CELLS: u8 = 1;
 /// The class of what passes near the surface. Below it are those beside the hull, above it those within, and above these
 /// those within of which the photo from the other side shows background.
-const NEAR: usize = DEPTHS;
+const NEAR: usize = DEPTH_CLASSES;
 
 /// What all photos show together of each.
 #[derive(Default)]
@@ -67,7 +68,7 @@ fn by_all_but_one(all: &Together<'_>) -> BTreeMap<PhotoId, Vec<f32>> {
     let views = &all.views;
     let classes = |view: &View<'_>| classes(view, all);
     let of: Vec<Vec<usize>> = views.par_iter().map(classes).collect();
-    let mut counts = [[0.5_f64; 2]; NEAR + 2 * DEPTHS];
+    let mut counts = [[0.5_f64; 2]; NEAR + 2 * DEPTH_CLASSES];
     for ((_, mask, _), classes) in views.iter().zip(&of) {
         for (cover, class) in mask.data.iter().zip(classes) {
             counts[*class][usize::from(*cover > 127)] += 1.0;
@@ -127,7 +128,7 @@ fn classes(view: &View<'_>, all: &Together<'_>) -> Vec<usize> {
     let away = middle.map_or(f64::MAX, |(_, depth)| depth);
     let cell_px = all.block.cell * camera.lens.focal[0] / away;
     let class = |(pass, inward): (&u8, &f32)| match pass {
-        0 => NEAR - 1 - ((f64::from(-inward) / cell_px) as usize).min(DEPTHS - 1),
+        0 => NEAR - 1 - ((f64::from(-inward) / cell_px) as usize).min(DEPTH_CLASSES - 1),
         pass => NEAR - 1 + usize::from(*pass),
     };
     let inward = signed_distance(&hull).data;
@@ -147,7 +148,7 @@ fn opposite<'a, 'b>(view: &View<'b>, all: &'a [View<'b>]) -> &'a View<'b> {
 }
 
 /// Where the ray of each of one photo's pixels passes: 0 misses the hull of all other photos though one of them may
-/// dissent, 1 is near its surface, from there on in cells of depth, and beyond [`DEPTHS`] in cells of depth in what all but
+/// dissent, 1 is near its surface, from there on in cells of depth, and beyond [`DEPTH_CLASSES`] in cells of depth in what all but
 /// the photo from the other side leave. A cell against which one photo more speaks than this one lets pass is none of their
 /// hull.
 fn passes(view: &View<'_>, other_side: &View<'_>, block: &Block, against: &[usize]) -> Vec<u8> {
@@ -163,7 +164,7 @@ fn passes(view: &View<'_>, other_side: &View<'_>, block: &Block, against: &[usiz
     let speaking: Vec<usize> = (0..against.len()).map(speaking).collect();
     let alone = |i: usize| speaking[i] == 1 && open(other_side, i);
     let alone: Vec<bool> = (0..against.len()).map(alone).collect();
-    let most = SURFACE + DEPTHS as u8 - 1;
+    let most = SURFACE_CELLS + DEPTH_CLASSES as u8 - 1;
     let depths_of = |lets: &dyn Fn(usize) -> bool| {
         let beyond: Vec<bool> = (0..speaking.len())
             .map(|i| speaking[i] > 0 && !lets(i))
@@ -172,19 +173,23 @@ fn passes(view: &View<'_>, other_side: &View<'_>, block: &Block, against: &[usiz
     };
     let (depths, without) = (depths_of(&|_| false), depths_of(&|i| alone[i]));
     let loose: Vec<bool> = speaking.iter().map(|n| *n <= 1).collect();
-    let coat = block.steps_to(&loose, SURFACE + 1);
+    let coat = block.steps_to(&loose, SURFACE_CELLS + 1);
     let mut squares = Squares::on(mask.width, mask.height);
-    for i in (0..coat.len()).filter(|i| coat[*i] <= SURFACE) {
+    for i in (0..coat.len()).filter(|i| coat[*i] <= SURFACE_CELLS) {
         let Some((px, depth)) = camera.project_with_depth(&block.centre(i)) else {
             continue;
         };
         let px_of = |size: f64| block.cell * size * camera.lens.focal[0] / depth;
         squares.add(&px, px_of(0.8), 1);
-        if depths[i] > SURFACE {
-            squares.add(&px, px_of(0.45), depths[i] - SURFACE + 1);
+        if depths[i] > SURFACE_CELLS {
+            squares.add(&px, px_of(0.45), depths[i] - SURFACE_CELLS + 1);
         }
-        if alone[i] && without[i] > SURFACE {
-            squares.add(&px, px_of(0.45), DEPTHS as u8 + without[i] - SURFACE);
+        if alone[i] && without[i] > SURFACE_CELLS {
+            squares.add(
+                &px,
+                px_of(0.45),
+                DEPTH_CLASSES as u8 + without[i] - SURFACE_CELLS,
+            );
         }
     }
     squares.painted()

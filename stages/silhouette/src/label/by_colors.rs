@@ -7,8 +7,8 @@ use crate::likelihood::gmm::Gmm;
 use crate::raster::raster;
 use shape::{Image, Rgb};
 
-/// Share of the pixels that the colours of the background and of the body are learnt from.
-const EVERY: usize = 7;
+/// One of so many pixels is what the colours of the background and of the body are learnt from (structural: samples).
+const EVERY_PIXEL: usize = 7;
 
 /// A photo, reduced, parted by its colours.
 pub(crate) struct ByColors {
@@ -31,7 +31,7 @@ pub(crate) fn costs(image: &Rgb, of: &Gmm) -> Vec<f32> {
 pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Option<ByColors> {
     let colors = |of: &[bool], side: bool| -> Vec<[u8; 3]> {
         let on = of.iter().zip(&small.data).filter(|(b, _)| **b == side);
-        on.map(|(_, c)| *c).step_by(EVERY).collect()
+        on.map(|(_, c)| *c).step_by(EVERY_PIXEL).collect()
     };
     let mut body: Vec<bool> = known.iter().map(|k| *k == Known::Unknown).collect();
     let mut learnt = None;

@@ -53,8 +53,9 @@ impl Settings {
     }
 }
 
-/// Neighbours that cost the background no more than this are its own.
-const OWN: f32 = FLAT + 1.5;
+/// Neighbours that cost the background no more than this are its own: what noise of three channels adds on the mean
+/// (derived: 3/2). \[nats\]
+const OWN_NATS: f32 = FLAT + 1.5;
 
 /// The coarse cut: which pixels are body, and the mixture of the body's colours. `None` if nothing can be body.
 pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
@@ -105,7 +106,7 @@ pub(crate) fn cut(
     // An edge that the background has by itself is no reason to cut here.
     let more = |here: usize| person.get(here).map_or(0.0, |p| p.max(0.0));
     let cost = |here: usize| background[here] + more(here);
-    let own = |here: usize, there: usize| cost(here).min(cost(there)) < OWN;
+    let own = |here: usize, there: usize| cost(here).min(cost(there)) < OWN_NATS;
     least_cut(
         photo,
         window,

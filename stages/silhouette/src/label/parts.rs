@@ -4,8 +4,9 @@ use crate::likelihood::background::FLAT;
 use crate::likelihood::prepared::Prepared;
 use shape::{Image, Parts, largest_part};
 
-/// A hole whose median pixel costs the background more than this is no hole.
-const EXPLAINED: f32 = FLAT + 1.5;
+/// A hole whose median pixel costs the background more than this is no hole: what noise of three channels adds on the
+/// mean (derived: 3/2). \[nats\]
+const EXPLAINED_NATS: f32 = FLAT + 1.5;
 
 /// The largest connected part with those of its holes filled that are small or that the background does not explain: a gap between arm and
 /// trunk shows the background to the level, a blue fish on a shirt only something like it. `background` is what a pixel
@@ -29,7 +30,7 @@ pub(crate) fn filled(sides: &Image<bool>, background: &dyn Fn(usize) -> f32) -> 
         .map(|(costs, size)| {
             costs.sort_by(f32::total_cmp);
             let middle = costs.get(costs.len() / 2);
-            let explained = middle.is_some_and(|middle| *middle <= EXPLAINED);
+            let explained = middle.is_some_and(|middle| *middle <= EXPLAINED_NATS);
             *size <= most && !(*size >= least && explained)
         })
         .collect();

@@ -44,8 +44,8 @@ stage::inputs! {
 /// `silhouette.label`: photos, aligned, scene, evidence → labels.
 pub struct Label;
 
-/// A body takes so much of its photo at least, and at most.
-const BODY_SHARE: (f64, f64) = (0.002, 0.9);
+/// A body takes so much of its photo at least, and at most. By hand: not on record.
+const BODY_SHARES: (f64, f64) = (0.002, 0.9);
 
 impl Stage for Label {
     const NAME: &'static str = "silhouette.label";
@@ -190,8 +190,8 @@ fn checked<T>(cut: Option<(Image<bool>, T)>, name: &str) -> Result<(Image<bool>,
     let (sides, more) = cut.ok_or_else(|| CutError::Empty(name.to_owned()))?;
     let share = sides.data.iter().filter(|b| **b).count() as f64 / sides.data.len() as f64;
     match share {
-        s if s < BODY_SHARE.0 => Err(CutError::Empty(name.to_owned())),
-        s if s > BODY_SHARE.1 => Err(CutError::Full(name.to_owned())),
+        s if s < BODY_SHARES.0 => Err(CutError::Empty(name.to_owned())),
+        s if s > BODY_SHARES.1 => Err(CutError::Full(name.to_owned())),
         _ => Ok((sides, more)),
     }
 }

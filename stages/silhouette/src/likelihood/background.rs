@@ -7,22 +7,27 @@ pub use crate::likelihood::noise::Noise;
 use crate::likelihood::noise::SHADED_LIGHT;
 use shape::Rgb;
 
-/// How far an edge of the background may move. \[px\]
-const SLACK: f32 = 0.4;
-/// A pixel that the background explains worse than by so much is not it, however much worse.
+/// How far an edge of the background may move. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0007
+/// on two scenes without a plate, +0.0001 on three with one. \[px\]
+const SLACK_PX: f32 = 0.4;
+/// A pixel that the background explains worse than by so much is not it, however much worse. By hand: not on record.
+/// \[nats\]
 pub(crate) const CAP: f32 = 24.0;
-/// Least noise of a neighbourhood's mean: light that the subject throws back colours what is near. \[levels\]
-const BOUNCE: [f32; 2] = [1.0, 2.0];
-/// What the noise grows by where the disk is all dark. \[levels\]
-const THROWN: f32 = 10.0;
-/// Share of a background's neighbourhoods whose light the subject changes, by a shadow or by what it throws back.
-/// Set by hand: in renders of three backgrounds none was, in photos some are.
+/// Least noise of a neighbourhood's mean, off the disk and on it: light that the subject throws back colours what is
+/// near. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0002 on two scenes, their least photos
+/// −0.0005. \[levels\]
+const BOUNCE_LEVELS: [f32; 2] = [1.0, 2.0];
+/// What the noise grows by where the disk is all dark. By hand: looked at 0 in its place (docs/lab/masks.md): +0.0001
+/// on two scenes, their least photos −0.0008 without a plate. \[levels\]
+const THROWN_LEVELS: f32 = 10.0;
+/// Share of a background's neighbourhoods whose light the subject changes, by a shadow or by what it throws back. By
+/// hand: looked at renders of three backgrounds, where none was, and photos, where some are.
 const SHADED_SHARE: f32 = 0.1;
 
 /// -ln p(pixel | background) of the pixels of a rectangle (left, top, width, height), row-major, up to
 /// a constant that noise changes (`Noise::thinner`).
 ///
-/// The pixel may match what is expected there, or be part of the way (`SLACK`) towards the
+/// The pixel may match what is expected there, or be part of the way (`SLACK_PX`) towards the
 /// darkest and brightest of its eight neighbours (edges move by a part of a pixel), as it is or
 /// with its light changed as far as the ground there allows. One pixel may match by chance: the
 /// means of a neighbourhood (`reach` pixels to each side) that it belongs to must match, too, in a light that
@@ -90,7 +95,7 @@ impl Likeness<'_> {
             let on = (self.ground)(x, y);
             let mean = expected_means[i];
             let disk = usize::from(on == Ground::Disk);
-            let rough = self.noise.means[disk].max(BOUNCE[disk]);
+            let rough = self.noise.means[disk].max(BOUNCE_LEVELS[disk]);
             means[i] = cost(photo_means[i], mean, mean, on, rough, self.noise.light);
             if wanted[i] == 0.0 {
                 single[i] = self.single(x, y, on);
@@ -120,7 +125,7 @@ pub(crate) fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) 
     }
     let middle = expected.at(x, y).map(f32::from);
     let towards = |end: [u8; 3]| {
-        let part = |c: usize| middle[c] + SLACK * (f32::from(end[c]) - middle[c]);
+        let part = |c: usize| middle[c] + SLACK_PX * (f32::from(end[c]) - middle[c]);
         [part(0), part(1), part(2)]
     };
     (towards(lo), towards(hi))
@@ -160,7 +165,7 @@ fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32, spread:
     };
     // The darker a shadow on the disk, the more of what is left there the subject's colour throws back.
     let thrown = match on {
-        Ground::Disk => THROWN * (1.0 - light).max(0.0),
+        Ground::Disk => THROWN_LEVELS * (1.0 - light).max(0.0),
         _ => 0.0,
     };
     let bright = beyond(1.0) / (sigma * sigma);

@@ -7,14 +7,14 @@ use crate::likelihood::background::FLAT;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Rgb};
 
-/// How far away the scene is asked, as a share of the photo's height.
-const REACH: f64 = 0.03;
-/// Places that are asked along a side of the neighbourhood.
-const ASKED: usize = 17;
-/// How far colours of neighbours differ. \[levels\]
+/// How far away the scene is asked, as a share of the photo's height. By hand: not on record.
+const REACH_SHARE: f64 = 0.03;
+/// Places that are asked along a side of the neighbourhood (structural: samples).
+const ASKED_PLACES: usize = 17;
+/// How far colours of neighbours differ. By hand: not on record. \[levels\]
 pub(crate) const UNLIKE: f32 = 4.0;
-/// What it costs that a colour is found beside its place.
-const BESIDE: f32 = 2.0;
+/// What it costs that a colour is found beside its place. By hand: not on record. \[nats\]
+const BESIDE_NATS: f32 = 2.0;
 
 /// The scene seen close to each pixel that nobody saw.
 pub(crate) struct Nearby<'a> {
@@ -27,8 +27,9 @@ impl<'a> Nearby<'a> {
     /// Finds the unseen pixels that have seen ones nearby.
     pub(crate) fn of(scene: &'a Backdrop) -> Self {
         let (w, h) = (scene.seen.width, scene.seen.height);
-        let step = ((h as f64 * REACH * 2.0 / (ASKED - 1) as f64).round() as i64).max(1);
-        let reach = step as usize * (ASKED / 2);
+        let step =
+            ((h as f64 * REACH_SHARE * 2.0 / (ASKED_PLACES - 1) as f64).round() as i64).max(1);
+        let reach = step as usize * (ASKED_PLACES / 2);
         // Nearest seen pixel along rows, then along columns.
         let mut close = scene.seen.clone();
         for along_rows in [true, false] {
@@ -65,7 +66,7 @@ impl<'a> Nearby<'a> {
         }
         let (w, h) = (photo.width as i64, photo.height as i64);
         let (x, y) = (i as i64 % w, i as i64 / w);
-        let half = (ASKED / 2) as i64;
+        let half = (ASKED_PLACES / 2) as i64;
         let color = photo.data[i].map(f32::from);
         let mut least = f32::MAX;
         for v in -half..=half {
@@ -82,7 +83,7 @@ impl<'a> Nearby<'a> {
                 }
             }
         }
-        (least < f32::MAX).then(|| FLAT + BESIDE + least / (2.0 * UNLIKE * UNLIKE))
+        (least < f32::MAX).then(|| FLAT + BESIDE_NATS + least / (2.0 * UNLIKE * UNLIKE))
     }
 }
 

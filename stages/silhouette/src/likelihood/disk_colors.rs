@@ -8,18 +8,19 @@ use crate::scene::still_and_disk::{Shot, scene};
 use rayon::prelude::*;
 use shape::Image;
 
-/// What it costs to find a colour of the disk at another place than there.
-const ELSEWHERE: f32 = 1.0;
-/// Clusters of each mixture of colours.
+/// What it costs to find a colour of the disk at another place than there. By hand: not on record. \[nats\]
+const ELSEWHERE_NATS: f32 = 1.0;
+/// Clusters of each mixture of colours. By hand: not on record.
 const CLUSTERS: usize = 12;
-/// Where on its radius the disk is mostly free of feet.
-const RIM_FROM: f64 = 0.6;
-/// A pixel that is off the background by so much in all channels together is not the background. \[levels\]
-const OFF: u32 = 90;
+/// Where on its radius the disk is mostly free of feet. By hand: not on record.
+const RIM_SHARE: f64 = 0.6;
+/// A pixel that is off the background by so much in all channels together is not the background. By hand: not on
+/// record. \[levels\]
+const OFF_LEVELS: u32 = 90;
 
 /// What a colour costs as the disk's where nobody saw it: as one of its colours elsewhere.
 pub(crate) fn disk_cost(disk: Option<&Gmm>, color: [u8; 3]) -> f32 {
-    disk.map_or(UNSEEN, |disk| disk.cost(color) as f32 + ELSEWHERE)
+    disk.map_or(UNSEEN, |disk| disk.cost(color) as f32 + ELSEWHERE_NATS)
 }
 
 /// Some colours at most, spread evenly, as a mixture.
@@ -40,7 +41,7 @@ pub(crate) fn body_colors(shots: &[Shot], still: &Backdrop, radius: f64) -> Opti
             let off: u32 = (0..3)
                 .map(|k| u32::from(c[k].abs_diff(still.image.data[i][k])))
                 .sum();
-            if still.seen.data[i] && off > OFF && !shot.shows_disk(i, radius) {
+            if still.seen.data[i] && off > OFF_LEVELS && !shot.shows_disk(i, radius) {
                 colors.push(*c);
             }
         }
@@ -72,7 +73,7 @@ pub(crate) fn on_the_disk(
     };
     // Feet are in the middle, and legs hide what is behind them in some photos only.
     let outer = scene(shots, still.clone(), radius, &open).disk;
-    let Some(disk) = disk_colors(&outer, RIM_FROM) else {
+    let Some(disk) = disk_colors(&outer, RIM_SHARE) else {
         return open;
     };
     let covers = |shot: &Shot| {

@@ -7,7 +7,8 @@ use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3, Vector3};
 use shape::{Aligned, Camera, Found, People, PhotoId, Pose, View};
 
-/// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii.
+/// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii. By hand: not on
+/// record.
 const SHADOW_RADII: f64 = 5.0;
 
 /// Joints of [`Found::JOINTS`] (structural): the nose, and both heels.

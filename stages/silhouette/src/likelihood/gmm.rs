@@ -18,8 +18,8 @@ pub struct Gmm {
     clusters: Vec<Cluster>,
 }
 
-/// Least variance of a cluster: sensor noise and rounding. \[levels²\]
-const FLOOR: f64 = 6.0;
+/// Least variance of a cluster: sensor noise and rounding. By hand: not on record. \[levels²\]
+const LEAST_VARIANCE: f64 = 6.0;
 
 impl Gmm {
     /// Fits clusters to colours: seeds farthest from each other, then Lloyd's iterations, then
@@ -74,7 +74,7 @@ impl Gmm {
             if count < 1.0 {
                 return None;
             }
-            let spread = spread / count + Matrix3::identity() * FLOOR;
+            let spread = spread / count + Matrix3::identity() * LEAST_VARIANCE;
             let norm = ((std::f64::consts::TAU).powi(3) * spread.determinant()).sqrt();
             let weight: f64 = count / colors.len() as f64;
             Some(Cluster {

@@ -24,12 +24,13 @@ mod window;
 
 pub(crate) use in_photo::missed_in_photo;
 
-/// Least mean square of what is left, over all channels: that of rounding and a little noise. \[levels²\]
-const LEAST: f32 = 1.0;
-/// So many independent differences count: neighbours share noise and blur. Set by hand.
-const COUNTED: f32 = 4.0;
-/// What costs less tells nothing: beside soles shadows end within a window. Set by hand.
-const TELLS: f32 = 3.0;
+/// Least mean square of what is left, over all channels: that of rounding and a little noise. By hand: not on record.
+/// \[levels²\]
+const LEAST_LEFT_OVER: f32 = 1.0;
+/// So many independent differences count: neighbours share noise and blur. By hand: not on record.
+const COUNTED_DIFFERENCES: f32 = 4.0;
+/// What costs less tells nothing: beside soles shadows end within a window. By hand: not on record. \[nats\]
+const TELLING_NATS: f32 = 3.0;
 
 /// Raises what pixels cost as the disk where they lack its grain; where nobody saw the disk nothing can be
 /// known. `covered` is what cannot show it; colours that the `body` evidently has not are not asked.
@@ -92,7 +93,7 @@ fn usual(
         };
         let mut all: Vec<f32> = (0..shots.len()).filter_map(of).collect();
         all.sort_by(f32::total_cmp);
-        (all.len() >= 3).then(|| all[all.len() / 2].max(LEAST))
+        (all.len() >= 3).then(|| all[all.len() / 2].max(LEAST_LEFT_OVER))
     };
     Image {
         width: side,
@@ -144,8 +145,8 @@ fn has(body: Option<&Gmm>, color: [u8; 3]) -> bool {
 /// differ by themselves.
 fn unlikely(times: f32) -> f32 {
     let times = times.max(1.0);
-    let cost = COUNTED / 2.0 * (times - 1.0 - libm::logf(times));
-    if cost < TELLS { 0.0 } else { cost }
+    let cost = COUNTED_DIFFERENCES / 2.0 * (times - 1.0 - libm::logf(times));
+    if cost < TELLING_NATS { 0.0 } else { cost }
 }
 
 #[cfg(test)]

@@ -3,22 +3,25 @@
 use crate::likelihood::grounds::Ground;
 use shape::Rgb;
 
-/// What a pixel that matches the background to the level costs.
+/// What a pixel that matches the background to the level costs: -ln of the greatest density of a normal distribution of
+/// 1.8 levels (3/2 ln 2π + 3 ln 1.8). By hand: not on record. \[nats\]
 pub(crate) const FLAT: f32 = 4.5;
 
-/// Bounds of the noise that is believed: rounding, and a photo that shows nothing. \[levels\]
-const BELIEVED: (f32, f32) = (1.0, 40.0);
-/// Some neighbourhoods are noisier than the median, whose deviation is taken so much larger.
-const UNEVEN: f32 = 1.3;
+/// Bounds of the noise that is believed: rounding, and a photo that shows nothing. By hand: not on record. \[levels\]
+const BELIEVED_LEVELS: (f32, f32) = (1.0, 40.0);
+/// Some neighbourhoods are noisier than the median, whose deviation is taken so much larger. By hand: not on record.
+const UNEVEN_FACTOR: f32 = 1.3;
 /// Least spread of a neighbourhood's light: half a level of a middle grey (derived).
 const LEAST_LIGHT: f32 = 0.5 / 128.0;
-/// Spread of the background's light where the subject changes it, and where nothing is known of it. Set by hand, for all
-/// of the light before it was measured.
+/// Spread of the background's light where the subject changes it, and where nothing is known of it. By hand: looked at
+/// it for all light, before that was measured (docs/lab/masks.md): mean IoU −0.0005 on four scenes with a plate,
+/// −0.0003 without.
 pub(crate) const SHADED_LIGHT: f32 = 0.04;
-/// By how much less the mean of a neighbourhood is noisy than a pixel, at least. Set by hand, for all photos before it
-/// was measured.
-const ALIKE: f32 = 2.5;
-/// The quantile that is taken, and where it is for the absolute value of a normal variable.
+/// By how much less the mean of a neighbourhood is noisy than a pixel, at least. By hand: looked at it for all photos,
+/// before that was measured (docs/lab/masks.md): equal bytes on four scenes; noisy photos lose more.
+const QUIETER_FACTOR: f32 = 2.5;
+/// The quantile that is taken (structural: any that the subject does not cover), and where it is for the absolute value
+/// of a normal variable (derived: Φ(0.5244) = 0.7).
 const QUANTILE: (f32, f32) = (0.4, 0.5244);
 
 /// Standard deviations of photo and background against each other.
@@ -41,7 +44,7 @@ impl Noise {
         Noise {
             still: levels,
             disk: levels,
-            means: [levels / ALIKE; 2],
+            means: [levels / QUIETER_FACTOR; 2],
             light: SHADED_LIGHT,
         }
     }
@@ -73,9 +76,10 @@ impl Noise {
         let around = Spread::of(photo, expected, ground, reach);
         let still_or = pixels.colors[0].unwrap_or(4.0);
         let [still, disk] = [still_or, pixels.colors[1].unwrap_or(still_or)]
-            .map(|s| s.clamp(BELIEVED.0, BELIEVED.1));
-        let at_most =
-            |means: Option<f32>, single: f32| means.unwrap_or(f32::MAX).min(single / ALIKE);
+            .map(|s| s.clamp(BELIEVED_LEVELS.0, BELIEVED_LEVELS.1));
+        let at_most = |means: Option<f32>, single: f32| {
+            means.unwrap_or(f32::MAX).min(single / QUIETER_FACTOR)
+        };
         let light = around.light;
         Noise {
             still,
@@ -181,7 +185,7 @@ impl Counts {
             let here = *count as f32;
             if below + here >= want {
                 let quantile = (class as f32 + (want - below) / here) / self.units;
-                return Some(quantile / QUANTILE.1 * UNEVEN);
+                return Some(quantile / QUANTILE.1 * UNEVEN_FACTOR);
             }
             below += here;
         }
@@ -210,10 +214,11 @@ mod tests {
             photo.data[..6400].fill([30, 200, 90]);
             let noise = Noise::measure(&photo, &plate, &|_, _| Ground::Wall, 1);
             // A third of the differences are the subject's, so the quantile is somewhat high.
-            let times = f64::from(noise.still) / (sigma * f64::from(UNEVEN));
+            let times = f64::from(noise.still) / (sigma * f64::from(UNEVEN_FACTOR));
             assert!((1.0..1.8).contains(&times), "{noise:?}");
             // Nine pixels of three channels each.
-            let light = f64::from(noise.light) / (sigma / 27f64.sqrt() / 123.0 * f64::from(UNEVEN));
+            let light =
+                f64::from(noise.light) / (sigma / 27f64.sqrt() / 123.0 * f64::from(UNEVEN_FACTOR));
             assert!((1.0..1.8).contains(&light), "{noise:?}");
         }
     }

@@ -99,11 +99,11 @@ impl Prepared {
     }
 }
 
-/// Half the side of neighbourhoods of the reduced photo. \[px\]
-const COARSE_REACH: usize = 1;
+/// Half the side of neighbourhoods of the reduced photo. By hand: not on record. \[px\]
+const COARSE_REACH_PX: usize = 1;
 
-/// What the background costs where nobody saw it: a little more than any colour of the body does, for
-/// it is the body that covers it.
+/// What the background costs where nobody saw it: a little more than any colour of the body does, for it is the body
+/// that covers it. By hand: not on record. \[nats\]
 pub(crate) const UNSEEN: f32 = FLAT + 14.0;
 
 /// Makes a photo ready to be cut. `without` is what it would show without the subject, `coarse_px`
@@ -120,9 +120,9 @@ pub fn prepare(
     let floor = floor.map(|floor| floor.resized(small.width, small.height));
     let grounds = Grounds::of(floor.as_ref(), 1, small.width, small.height);
     let on = |x: usize, y: usize| grounds.at(x, y);
-    let noise = Noise::measure(&small, &expected, &on, COARSE_REACH);
+    let noise = Noise::measure(&small, &expected, &on, COARSE_REACH_PX);
     let all = [0, 0, small.width, small.height];
-    let mut cost = background_cost(&small, &expected, noise, &on, COARSE_REACH, all);
+    let mut cost = background_cost(&small, &expected, noise, &on, COARSE_REACH_PX, all);
     for (i, cost) in cost.iter_mut().enumerate() {
         let (x, y) = (i % small.width * factor, i / small.width * factor);
         let rows = |y: usize| (x..x + factor).all(|x| without.seen.at(x, y));

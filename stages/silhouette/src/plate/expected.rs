@@ -21,8 +21,9 @@ pub(crate) fn turned(camera: &Camera, angle: f64) -> Camera {
     }
 }
 
-/// Of so many places of the disk one tells which angle may be right.
-const SOME: usize = 16;
+/// Of so many places of the disk one tells which angle may be right (structural: it decides time alone, for all places
+/// are asked after that).
+const SOME_PLACES: usize = 16;
 
 /// By how much the disk on the plate is turned against a photo, and how far the two differ there
 /// (mean over the outer disk of the capped absolute difference, 0..=60). \[rad, levels\]
@@ -50,7 +51,7 @@ pub(crate) fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64)
     let differ = |angle: f64, limit: f64| {
         let there = turned(camera, angle);
         let mut sum = 0.0;
-        for some in places.chunks(SOME) {
+        for some in places.chunks(SOME_PLACES) {
             sum = some.iter().fold(sum, |sum, place| sum + off(&there, place));
             if sum / count > limit {
                 break;
@@ -68,7 +69,7 @@ pub(crate) fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64)
             let there = turned(camera, angle);
             places
                 .iter()
-                .step_by(SOME)
+                .step_by(SOME_PLACES)
                 .map(|place| off(&there, place))
                 .sum::<f64>()
         };

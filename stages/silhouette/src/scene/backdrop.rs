@@ -6,7 +6,7 @@ use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
-/// Pixels around a mask that do not tell of the background.
+/// Pixels around a mask that do not tell of the background. By hand: not on record. \[px\]
 pub(crate) const SHY: usize = 2;
 
 /// What the photos of a turn show behind the subject.
@@ -34,10 +34,11 @@ impl Backdrop {
     }
 }
 
-/// Colours nearer to each other than this are one. \[levels\]
-const SAME: u8 = 4;
-/// And by so much of the contrast around that all photos share: cameras tremble, and some are less sharp.
-const TREMBLE: f32 = 0.15;
+/// Colours nearer to each other than this are one. By hand: not on record. \[levels\]
+const SAME_LEVELS: u8 = 4;
+/// And by so much of the contrast around that all photos share: cameras tremble, and some are less sharp. By hand: not
+/// on record.
+const TREMBLE_SHARE: f32 = 0.15;
 
 /// Whether a pixel's colours are alike but for one: near one of them.
 fn alike_but_one(colors: &[[u8; 3]], same: u8) -> bool {
@@ -97,7 +98,7 @@ fn fixed(photos: &[&Rgb]) -> Image<bool> {
     let one = |i: usize| {
         let colors: Vec<[u8; 3]> = photos.iter().map(|p| p.data[i]).collect();
         let shared = rough.iter().map(|r| r[i]).min().unwrap_or(0);
-        let same = SAME + (TREMBLE * f32::from(shared)) as u8;
+        let same = SAME_LEVELS + (TREMBLE_SHARE * f32::from(shared)) as u8;
         alike_but_one(&colors, same)
     };
     raster(w, h, (0..w * h).into_par_iter().map(one).collect())

@@ -7,14 +7,15 @@ use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
-/// What a colour costs that the background has nowhere: most of it is in view beside the subject, so
-/// that such a colour is rather the subject's.
-const UNSEEN_BEHIND: f64 = ANY_COLOR + 3.2;
-/// How many bands; each learns from half of its height above and below, too.
+/// What a colour costs that the background has nowhere: most of it is in view beside the subject, so that such a colour
+/// is rather the subject's. By hand: not on record. \[nats\]
+const UNSEEN_BEHIND_NATS: f64 = ANY_COLOR + 3.2;
+/// How many bands; each learns from half of its height above and below, too. By hand: not on record.
 const BANDS: usize = 4;
-/// So many samples tell a mixture; with fewer than `FEW` a band takes those of the whole photo.
-const SAMPLES: usize = 6_000;
-const FEW: usize = 100;
+/// So many samples tell a mixture (structural: a cap on work).
+const MOST_SAMPLES: usize = 6_000;
+/// With fewer than these a band takes those of the whole photo (structural: a count of samples).
+const FEWEST_SAMPLES: usize = 100;
 
 /// Colours with the rows that show them.
 pub(crate) type Samples = Vec<(u32, [u8; 3])>;
@@ -28,14 +29,14 @@ pub(crate) struct Colors {
     rows: f64,
 }
 
-/// A mixture of at most `SAMPLES` of the colours of a band, evenly.
+/// A mixture of at most `MOST_SAMPLES` of the colours of a band, evenly.
 fn mixture(all: &Samples, from: f64, to: f64, clusters: usize) -> Option<Gmm> {
     let in_band = |(row, _): &&(u32, [u8; 3])| (from..to).contains(&f64::from(*row));
     let mut colors: Vec<[u8; 3]> = all.iter().filter(in_band).map(|s| s.1).collect();
-    if colors.len() < FEW {
+    if colors.len() < FEWEST_SAMPLES {
         colors = all.iter().map(|s| s.1).collect();
     }
-    let step = colors.len().div_ceil(SAMPLES).max(1);
+    let step = colors.len().div_ceil(MOST_SAMPLES).max(1);
     let some: Vec<[u8; 3]> = colors.into_iter().step_by(step).collect();
     Gmm::fit(&some, clusters)
 }
@@ -65,7 +66,7 @@ impl Colors {
     pub(crate) fn favour(&self, color: [u8; 3], row: f64) -> f32 {
         let band = ((row / self.rows).max(0.0) as usize).min(BANDS - 1);
         let [body, background] = &self.bands[band];
-        (background.cost(color).min(UNSEEN_BEHIND) - body_cost(body, color)) as f32
+        (background.cost(color).min(UNSEEN_BEHIND_NATS) - body_cost(body, color)) as f32
     }
 
     /// The same of every pixel, means of 3 × 3.

@@ -6,10 +6,10 @@ use crate::walk::colors::Colors;
 use nalgebra::Vector2;
 use shape::{Image, signed_distance};
 
-/// How far from the outline colours are asked. \[px of the reduced photo\]
-const NEAR: f32 = 12.0;
-/// Pixels this near to the outline may show both sides. \[px\]
-const MIXED: f32 = 1.5;
+/// How far from the outline colours are asked. By hand: not on record. \[px of the reduced photo\]
+const ASKED_WITHIN_PX: f32 = 12.0;
+/// Pixels this near to the outline may show both sides. By hand: not on record. \[px\]
+const MIXED_PX: f32 = 1.5;
 
 /// Share of the pixels near an outline that colours alone put on its side, both sides weighing alike.
 pub(crate) fn reported(shot: &Shot, sides: &Image<bool>, colors: &Colors) -> f64 {
@@ -17,7 +17,7 @@ pub(crate) fn reported(shot: &Shot, sides: &Image<bool>, colors: &Colors) -> f64
     let favour = colors.favours(&shot.small);
     let (mut right, mut count) = ([0usize; 2], [0usize; 2]);
     for (depth, favour) in depth.data.iter().zip(&favour.data) {
-        if (MIXED..NEAR).contains(&depth.abs()) {
+        if (MIXED_PX..ASKED_WITHIN_PX).contains(&depth.abs()) {
             let side = usize::from(*depth > 0.0);
             count[side] += 1;
             right[side] += usize::from((*favour > 0.0) == (*depth > 0.0));

@@ -15,12 +15,12 @@ pub(crate) struct Spot {
     pub(crate) sights: Vec<(usize, [f64; 2])>,
 }
 
-/// Least angle between rays that makes a point. \[rad\]
-const PARALLAX: f64 = 0.05;
-/// Fewest sightings.
-const SIGHTS: usize = 3;
-/// A feature further from where its point projects makes none. \[px of the reduced photo\]
-const NEAR: f64 = 1.5;
+/// Least angle between rays that makes a point. By hand: not on record. \[rad\]
+const LEAST_PARALLAX_RAD: f64 = 0.05;
+/// Fewest sightings: one more than determine a point (derived: two rays).
+const LEAST_SIGHTS: usize = 3;
+/// A feature further from where its point projects makes none. By hand: not on record. \[px of the reduced photo\]
+const FITS_PX: f64 = 1.5;
 
 /// The points of tracks, as cameras see them.
 pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<Spot> {
@@ -39,13 +39,13 @@ pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<S
             Some((k, px))
         };
         let sights: Vec<(usize, [f64; 2])> = track.iter().filter_map(sight).collect();
-        if sights.len() < SIGHTS {
+        if sights.len() < LEAST_SIGHTS {
             return None;
         }
         let at = met(shots, &sights)?;
         let near = |(k, px): &(usize, [f64; 2])| {
             let on = shots[*k].camera.project(&at);
-            on.is_some_and(|on| libm::hypot(on.x - px[0], on.y - px[1]) < NEAR)
+            on.is_some_and(|on| libm::hypot(on.x - px[0], on.y - px[1]) < FITS_PX)
         };
         sights.iter().all(near).then_some(Spot { at, sights })
     };
@@ -65,7 +65,7 @@ fn met(shots: &[Shot], sights: &[(usize, [f64; 2])]) -> Option<Point3<f64>> {
         rays.push(ray);
     }
     let widest = rays.iter().map(|r| r.angle(&rays[0])).fold(0.0, f64::max);
-    if widest < PARALLAX {
+    if widest < LEAST_PARALLAX_RAD {
         return None;
     }
     let mut at = Point3::from(normal.try_inverse()? * right);
@@ -94,12 +94,12 @@ pub(crate) fn free(block: &Block, spots: &[Spot], shots: &[Shot]) -> Vec<u16> {
         let to = spot.at - from;
         let (far, ray) = (to.norm(), to.normalize());
         let (mut on, mut before) = (0.0, None);
-        while on < far - SHORT * block.cell {
+        while on < far - SHORT_CELLS * block.cell {
             let cell = block.cell_of(&(from + ray * on));
             if let Some(i) = cell.filter(|_| cell != before) {
                 let off = block.centre(i) - from;
                 let aside = (off - ray * off.dot(&ray)).norm();
-                free[i] = free[i].saturating_add(u16::from(aside < MIDDLE * block.cell));
+                free[i] = free[i].saturating_add(u16::from(aside < MIDDLE_CELLS * block.cell));
             }
             before = cell;
             on += step;
@@ -108,7 +108,7 @@ pub(crate) fn free(block: &Block, spots: &[Spot], shots: &[Shot]) -> Vec<u16> {
     free
 }
 
-/// So much of a ray before its point tells nothing. \[cells\]
-const SHORT: f64 = 3.0;
-/// A ray runs through the middle of a cell where it is no further from it. \[cells\]
-const MIDDLE: f64 = 0.4;
+/// So much of a ray before its point tells nothing. By hand: not on record. \[cells\]
+const SHORT_CELLS: f64 = 3.0;
+/// A ray runs through the middle of a cell where it is no further from it. By hand: not on record. \[cells\]
+const MIDDLE_CELLS: f64 = 0.4;

@@ -82,13 +82,13 @@ pub(crate) fn find(
     }))
 }
 
-/// Fewest photos that must see a cell, as a share.
-const CLOSED: f64 = 0.3;
-/// The evidence against a cell of one ray to a feature behind it, and how many count.
+/// Fewest photos that must see a cell, as a share. By hand: not on record.
+const CLOSED_SHARE: f64 = 0.3;
+/// The evidence against a cell of one ray to a feature behind it, and how many count. By hand: not on record. \[nats\]
 const FREE: (f32, u16) = (4.0, 5);
 
-/// The evidence for its cell of one feature amid the cameras.
-const FOR_AMID: f32 = 6.0;
+/// The evidence for its cell of one feature amid the cameras. By hand: not on record. \[nats\]
+const AMID_NATS: f32 = 6.0;
 
 /// The cells that are the subject by what is known of each pixel.
 pub(crate) fn cells(
@@ -98,7 +98,7 @@ pub(crate) fn cells(
     search: &Search,
 ) -> Vec<bool> {
     let shots = scene.shots;
-    let least = (CLOSED * shots.len() as f64).ceil().max(3.0) as u16;
+    let least = (CLOSED_SHARE * shots.len() as f64).ceil().max(3.0) as u16;
     let closed: Vec<bool> = block
         .seen(shots)
         .iter()
@@ -112,7 +112,7 @@ pub(crate) fn cells(
     }
     for spot in scene.spots.iter().filter(|s| scene.space.amid(&s.at)) {
         if let Some(i) = block.cell_of(&spot.at) {
-            evidence[i] += FOR_AMID;
+            evidence[i] += AMID_NATS;
         }
     }
     block.largest(&solid(block, &evidence, search.smooth))
@@ -167,8 +167,8 @@ fn first_colors(scene: &Scene<'_>, search: &Search) -> Option<Vec<Colors>> {
     shots.par_iter().enumerate().map(one).collect()
 }
 
-/// The subject's colours are learned so deep within what cells cover, as a share of its size.
-const DEEP: f64 = 0.06;
+/// The subject's colours are learned so deep within what cells cover, as a share of its size. By hand: not on record.
+const DEEP_SHARE: f64 = 0.06;
 
 /// Colours as the cells part them.
 pub(crate) fn next_colors(
@@ -190,7 +190,7 @@ pub(crate) fn next_colors(
         let depth = shot.camera.centre().coords.norm();
         let px = (block.cell * shot.camera.lens.focal[0] / depth).ceil() as i64;
         let area = shown.data.iter().filter(|s| **s).count() as f64;
-        let deep = (px as f64).max(DEEP * area.sqrt());
+        let deep = (px as f64).max(DEEP_SHARE * area.sqrt());
         let far = shape::signed_distance(&as_mask(&shown));
         let (mut body, mut background) = (bodies[k].clone(), Samples::new());
         for (i, (far, color)) in far.data.iter().zip(&shot.small.data).enumerate() {

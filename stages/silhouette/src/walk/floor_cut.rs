@@ -19,12 +19,12 @@ pub(crate) struct FloorCut {
     section: Vec<bool>,
 }
 
-/// So many layers above the plane are estimated by the section alone.
-const SECTION: f64 = 2.0;
-/// Strict cells lack a rim: the section is wider by so many.
-const BESIDE: usize = 2;
-/// A pixel belongs to the section where its smoothed cells reach this.
-const INSIDE: f64 = 0.45;
+/// So many layers above the plane are estimated by the section alone. By hand: not on record.
+const SECTION_LAYERS: f64 = 2.0;
+/// Strict cells lack a rim: the section is wider by so many. By hand: not on record.
+const BESIDE_CELLS: usize = 2;
+/// A pixel belongs to the section where its smoothed cells reach this. By hand: not on record.
+const INSIDE_SHARE: f64 = 0.45;
 
 impl FloorCut {
     /// The plane through a block of cells at a height. \[mm\]
@@ -32,7 +32,7 @@ impl FloorCut {
         let layer = ((height - block.corner.z) / block.cell).floor();
         let layer = layer.clamp(0.0, (block.count[2] - 1) as f64) as usize;
         let above = (0..block.len())
-            .map(|i| solid[i] && block.centre(i).z > height + SECTION * block.cell)
+            .map(|i| solid[i] && block.centre(i).z > height + SECTION_LAYERS * block.cell)
             .collect();
         let [nx, ny, _] = block.count;
         let flat = Block {
@@ -43,7 +43,7 @@ impl FloorCut {
         FloorCut {
             height,
             above,
-            section: (0..BESIDE).fold(section, |cells, _| flat.grown(&cells)),
+            section: (0..BESIDE_CELLS).fold(section, |cells, _| flat.grown(&cells)),
         }
     }
 
@@ -113,7 +113,7 @@ impl FloorCut {
         let (i, j) = (i as i64, j as i64);
         let low = value(i, j) * (1.0 - fx) + value(i + 1, j) * fx;
         let high = value(i, j + 1) * (1.0 - fx) + value(i + 1, j + 1) * fx;
-        low * (1.0 - fy) + high * fy > INSIDE
+        low * (1.0 - fy) + high * fy > INSIDE_SHARE
     }
 }
 

@@ -7,10 +7,10 @@ use crate::likelihood::background::Noise;
 use crate::walk::colors::Colors;
 use shape::{Image, Mask, Rgb};
 
-/// Half the side of the neighbourhood in which the background's colour is sought. \[px\]
-const REACH: usize = 6;
-/// Pixels this near to the border may show both sides. \[px\]
-const MIXED: f32 = 2.5;
+/// Half the side of the neighbourhood in which the background's colour is sought. By hand: not on record. \[px\]
+const REACH_PX: usize = 6;
+/// Pixels this near to the border may show both sides. By hand: not on record. \[px\]
+const MIXED_PX: f32 = 2.5;
 /// Noise that is believed of a photo. \[levels\]
 const NOISE: Noise = Noise::even(2.0);
 
@@ -70,13 +70,13 @@ fn beside(photo: &Rgb, sides: &Image<bool>) -> Rgb {
     for y in 0..h {
         for x in 0..w {
             let here = far.at(x, y);
-            if !(-MIXED..=MIXED).contains(&here) {
+            if !(-MIXED_PX..=MIXED_PX).contains(&here) {
                 continue;
             }
             let (mut sum, mut count) = ([0u32; 3], 0u32);
-            for row in y.saturating_sub(REACH)..(y + REACH + 1).min(h) {
-                for column in x.saturating_sub(REACH)..(x + REACH + 1).min(w) {
-                    if far.at(column, row) < -MIXED {
+            for row in y.saturating_sub(REACH_PX)..(y + REACH_PX + 1).min(h) {
+                for column in x.saturating_sub(REACH_PX)..(x + REACH_PX + 1).min(w) {
+                    if far.at(column, row) < -MIXED_PX {
                         (0..3).for_each(|c| sum[c] += u32::from(photo.at(column, row)[c]));
                         count += 1;
                     }

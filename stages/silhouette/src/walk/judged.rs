@@ -35,14 +35,14 @@ pub(crate) struct Judged<'a> {
     pub(crate) settled: &'a [f64],
 }
 
-/// A photo that is so much worse than is asked of the middle one is named.
-const NAMED: f64 = 0.1;
-/// Share of a photo's border that a mask may touch.
-const BORDER: f64 = 0.002;
+/// A photo that is so much worse than is asked of the middle one is named. By hand: not on record.
+const NAMED_BELOW: f64 = 0.1;
+/// Share of a photo's border that a mask may touch. By hand: not on record.
+const BORDER_SHARE: f64 = 0.002;
 /// Names that are listed (structural).
 const NAMES: usize = 6;
 
-/// A warning comes at this part of what is refused.
+/// A warning comes at this part of what is refused. By hand: not on record.
 const WARNED_PART: f64 = 3.0;
 
 /// Share of the features amid the cameras, above the end, in whose photos the outlines
@@ -99,7 +99,9 @@ fn measured(all: &Judged<'_>) -> Measured {
             .map(|k| reported(&shots[k], &all.sides[k], &colors[k]))
             .collect(),
         agree: every.clone().map(agree).collect(),
-        over: every.map(|k| over_border(&kept(k)) > BORDER).collect(),
+        over: every
+            .map(|k| over_border(&kept(k)) > BORDER_SHARE)
+            .collect(),
         lacking: lacking(all),
     }
 }
@@ -178,12 +180,12 @@ fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize
     let which = |is: &dyn Fn(usize) -> bool| -> Vec<usize> {
         (0..found.reported.len()).filter(|k| is(*k)).collect()
     };
-    let alike = which(&|k| found.reported[k] < p.least_told - NAMED);
+    let alike = which(&|k| found.reported[k] < p.least_told - NAMED_BELOW);
     if !alike.is_empty() {
         let list = names(all, &alike);
         warnings.push(message!(SAME_COLOURS).of_what(list));
     }
-    let odd = which(&|k| found.agree[k].min(all.settled[k]) < p.least_agreement - NAMED);
+    let odd = which(&|k| found.agree[k].min(all.settled[k]) < p.least_agreement - NAMED_BELOW);
     if !odd.is_empty() {
         let list = names(all, &odd);
         warnings.push(message!(ODD_OUTLINE).of_what(list));

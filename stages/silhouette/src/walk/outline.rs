@@ -76,12 +76,12 @@ pub(crate) fn outline(
     cleaned(&sides, &open)
 }
 
-/// Parts smaller than this share of the greatest are left out: cells have them in one piece, but an arm may
-/// hide what joins them.
-const SPECK: usize = 100;
-/// Holes smaller than this share of the greatest part are filled, and up to a tenth of it those where
-/// most pixels are not `open`.
-const HOLE: usize = 1000;
+/// Parts smaller than this part of the greatest are left out: cells have them in one piece, but an arm may hide what
+/// joins them. By hand: not on record.
+const SPECK_PART: usize = 100;
+/// Holes smaller than this part of the greatest part are filled, and up to a tenth of it those where most pixels are
+/// not `open`. By hand: not on record.
+const HOLE_PART: usize = 1000;
 
 /// Without specks, and without holes that are none.
 fn cleaned(sides: &Image<bool>, open: &dyn Fn(usize) -> bool) -> Image<bool> {
@@ -91,7 +91,11 @@ fn cleaned(sides: &Image<bool>, open: &dyn Fn(usize) -> bool) -> Image<bool> {
         data: part
             .data
             .iter()
-            .map(|p| sizes.get(*p as usize).is_some_and(|s| s * SPECK >= most))
+            .map(|p| {
+                sizes
+                    .get(*p as usize)
+                    .is_some_and(|s| s * SPECK_PART >= most)
+            })
             .collect(),
         ..*sides
     };
@@ -106,7 +110,7 @@ fn cleaned(sides: &Image<bool>, open: &dyn Fn(usize) -> bool) -> Image<bool> {
         let Some(size) = sizes.get(*h as usize) else {
             continue;
         };
-        let small = size * HOLE < most;
+        let small = size * HOLE_PART < most;
         let closed = size * 10 < most && 2 * opens[*h as usize] < *size;
         *keep |= small || closed;
     }

@@ -29,8 +29,8 @@ const OUTLINES: Belief = Belief {
     misled: 0.001,
     behind: 0.9,
 };
-/// So many times more cells along the greatest side than at first.
-const FINER: f64 = 1.25;
+/// So many times more cells along the greatest side than at first. By hand: not on record.
+const FINER_FACTOR: f64 = 1.25;
 
 /// Outlines, with what they share with those of the pass before.
 pub(crate) struct Outlines {
@@ -59,7 +59,7 @@ pub(crate) fn agreed(
             };
             let [low, high] = scene.space.heights;
             (lo[2], hi[2]) = (lo[2].max(low), hi[2].min(high));
-            let finer = (search.cells as f64 * FINER) as usize;
+            let finer = (search.cells as f64 * FINER_FACTOR) as usize;
             subject.block = Block::between(lo, hi, finer);
         }
         let reported: Vec<Image<f32>> = sides

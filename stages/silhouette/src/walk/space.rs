@@ -27,14 +27,14 @@ pub(crate) struct Space {
     pub(crate) floor: Option<f64>,
 }
 
-/// Least share of the photos that see the space sideways, and up and down.
-const SEEN: [f64; 2] = [0.95, 0.3];
-/// A floor is at least so much of the reach below where cameras look.
-const BELOW: f64 = 0.05;
-/// What is within so much of the reach is likely the subject's.
-const AMID: f64 = 0.5;
-/// Points around the axis that are looked at.
-const AROUND: usize = 16;
+/// Least share of the photos that see the space sideways, and up and down. By hand: not on record.
+const SEEN_SHARES: [f64; 2] = [0.95, 0.3];
+/// A floor is at least so much of the reach below where cameras look. By hand: not on record.
+const BELOW_SHARE: f64 = 0.05;
+/// What is within so much of the reach is likely the subject's. By hand: not on record.
+const AMID_SHARE: f64 = 0.5;
+/// Points around the axis that are looked at (structural: samples).
+const AROUND_POINTS: usize = 16;
 
 impl Space {
     /// The space about the z axis, above the ground. \[mm\] `None` where too few photos see it.
@@ -45,27 +45,29 @@ impl Space {
         let sees =
             |s: &&Shot, x: &Point3<f64>| s.camera.project(x).is_some_and(|px| s.camera.holds(px));
         let share = |at: &dyn Fn(f64) -> Point3<f64>| {
-            let turn = (0..AROUND).map(|k| k as f64 * std::f64::consts::TAU / AROUND as f64);
+            let turn =
+                (0..AROUND_POINTS).map(|k| k as f64 * std::f64::consts::TAU / AROUND_POINTS as f64);
             let seen: usize = turn
                 .map(at)
                 .map(|x| shots.iter().filter(|s| sees(s, &x)).count())
                 .sum();
-            seen as f64 / (AROUND * shots.len()) as f64
+            seen as f64 / (AROUND_POINTS * shots.len()) as f64
         };
         let steps = (1..60).map(|k| f64::from(k) * nearest * 0.01);
         let reach = steps
             .take_while(|r| {
-                share(&|a| Point3::new(r * libm::cos(a), r * libm::sin(a), middle)) >= SEEN[0]
+                share(&|a| Point3::new(r * libm::cos(a), r * libm::sin(a), middle))
+                    >= SEEN_SHARES[0]
             })
             .last()?;
         let on_axis = |sign: f64| {
             let steps = (1..200).map(|k| middle + f64::from(k) * nearest * 0.01 * sign);
             steps
-                .take_while(|z| share(&|_| Point3::new(0.0, 0.0, *z)) >= SEEN[1])
+                .take_while(|z| share(&|_| Point3::new(0.0, 0.0, *z)) >= SEEN_SHARES[1])
                 .last()
         };
         let (low, high) = (on_axis(-1.0)?, on_axis(1.0)?);
-        let floor = Some(ground).filter(|g| *g < middle - BELOW * reach);
+        let floor = Some(ground).filter(|g| *g < middle - BELOW_SHARE * reach);
         Some(Space {
             reach,
             heights: [floor.map_or(low, |f| f.max(low)), high],
@@ -77,12 +79,13 @@ impl Space {
     /// Whether a point is amid the cameras, clearly above the floor: it is likely the subject's.
     pub(crate) fn amid(&self, x: &Point3<f64>) -> bool {
         let [_, high] = self.heights;
-        x.coords.xy().norm() < AMID * self.reach && !self.low(x) && x.z < high
+        x.coords.xy().norm() < AMID_SHARE * self.reach && !self.low(x) && x.z < high
     }
 
     /// Whether a point is on the floor or hardly above it.
     pub(crate) fn low(&self, x: &Point3<f64>) -> bool {
-        self.floor.is_some_and(|f| x.z < f + BELOW * self.reach)
+        self.floor
+            .is_some_and(|f| x.z < f + BELOW_SHARE * self.reach)
     }
 
     /// Whether a point is too far aside, or under the floor.

@@ -30,8 +30,8 @@ stage::inputs! {
 /// `silhouette.walk`: photos, cameras, tracks → masks.
 pub struct Walk;
 
-/// Fewest photos that distinguish a subject from its background.
-const FEWEST: usize = 6;
+/// Fewest photos that distinguish a subject from its background. By hand: not on record.
+const FEWEST_PHOTOS: usize = 6;
 
 impl Stage for Walk {
     const NAME: &'static str = "silhouette.walk";
@@ -52,8 +52,8 @@ impl Stage for Walk {
     fn run(p: &WalkParams, input: WalkInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
         let (photos, cameras) = (&*input.photos, &*input.cameras);
         let (shots, full) = shots(p, photos, cameras, ctx)?;
-        if shots.len() < FEWEST {
-            return Err(WalkCutError::Few(shots.len(), FEWEST).into());
+        if shots.len() < FEWEST_PHOTOS {
+            return Err(WalkCutError::Few(shots.len(), FEWEST_PHOTOS).into());
         }
         let gap = widest_gap(&shots);
         if gap > p.most_gap_deg {

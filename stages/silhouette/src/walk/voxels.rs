@@ -57,8 +57,8 @@ pub(crate) fn evidence(
     (0..block.len()).into_par_iter().map(one).collect()
 }
 
-/// No evidence counts for more.
-const MOST: f32 = 40.0;
+/// No evidence counts for more. By hand: not on record. \[nats\]
+const MOST_NATS: f32 = 40.0;
 
 /// The cells that are the subject: least sum of the evidence against each and of what it
 /// costs to part neighbours.
@@ -66,7 +66,7 @@ pub(crate) fn solid(block: &Block, evidence: &[f32], smooth: f32) -> Vec<bool> {
     let mut grid = Grid::block(block.count);
     let part = (smooth * UNIT as f32) as i32;
     for (i, e) in evidence.iter().enumerate() {
-        let cost = (e.clamp(-MOST, MOST) * UNIT as f32) as i32;
+        let cost = (e.clamp(-MOST_NATS, MOST_NATS) * UNIT as f32) as i32;
         grid.set_cell_terminal(i, cost.max(0), (-cost).max(0));
         let at = block.at(i);
         for axis in 0..3 {

@@ -4,7 +4,7 @@
 //! rough, for no map fits a photo quite exactly, nor is it as sharp.
 
 use super::window::Laid;
-use super::{LEAST, has, unlikely};
+use super::{LEAST_LEFT_OVER, has, unlikely};
 use crate::likelihood::background::{CAP, FLAT};
 use crate::likelihood::body::evident;
 use crate::likelihood::disk_colors::mixture;
@@ -17,8 +17,8 @@ use crate::scene::disk_map::RIM;
 use crate::scene::disk_plane::DiskTop;
 use shape::Rgb;
 
-/// What costs so little more than the least as the ground may be it.
-const BARE: f32 = 3.0;
+/// What costs so little more than the least as the ground may be it. By hand: not on record. \[nats\]
+const BARE_NATS: f32 = 3.0;
 /// How far windows are from each other on disk and floor, where shadows end within one, and on walls (structural: samples).
 const APART: [usize; 2] = [1, 2];
 /// Classes of places, from smooth to rough, of equal size (structural: samples).
@@ -89,7 +89,7 @@ fn places(
         (left < f32::MAX).then(|| Place {
             left,
             rough,
-            bare: ready.cost[i] < FLAT + BARE,
+            bare: ready.cost[i] < FLAT + BARE_NATS,
         })
     };
     let both = laid.left_over(apart).data.into_iter().zip(laid.rough());
@@ -135,7 +135,10 @@ impl Usual {
         let class = |some: &[(f32, f32)]| {
             let mut left: Vec<f32> = some.iter().map(|w| w.1).collect();
             left.sort_by(f32::total_cmp);
-            (some[some.len() - 1].0, left[left.len() / 2].max(LEAST))
+            (
+                some[some.len() - 1].0,
+                left[left.len() / 2].max(LEAST_LEFT_OVER),
+            )
         };
         let full = bare.chunks(each).filter(|some| some.len() >= FEW);
         Usual {

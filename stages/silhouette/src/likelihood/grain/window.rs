@@ -6,8 +6,8 @@ use shape::{Image, Rgb};
 
 /// Half the side of the window in which the light is a plane (structural: samples). \[px of the reduced photo\]
 const REACH: usize = 3;
-/// Least share of a window that must be on the ground.
-const ON_IT: f32 = 0.5;
+/// Least share of a window that must be on the ground. By hand: not on record.
+const LEAST_ON_GROUND: f32 = 0.5;
 
 /// A photo on what the ground would show there, where that is known.
 pub(super) struct Laid {
@@ -115,7 +115,7 @@ impl Laid {
     /// too little of it is on the ground.
     fn explained(&self, i: usize, window: &[(usize, &Pixel)], left: &mut Vec<f32>) -> bool {
         let side = (2 * REACH + 1) as f32;
-        if (window.len() as f32) < ON_IT * side * side {
+        if (window.len() as f32) < LEAST_ON_GROUND * side * side {
             return false;
         }
         let (x, y) = (i % self.width, i / self.width);
