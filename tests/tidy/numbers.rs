@@ -14,7 +14,7 @@ const UNSOURCED: [(&str, usize); 13] = [
     ("io", 5),
     ("measure", 118),
     ("person", 4),
-    ("pose", 88),
+    ("pose", 73),
     ("refine", 8),
     ("report", 4),
     ("shape", 10),

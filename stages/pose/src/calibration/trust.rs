@@ -124,8 +124,9 @@ pub(crate) fn nudged(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<Me
     turned(poses).into_iter().map(warning).collect()
 }
 
-/// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera.
-const MOVED: f64 = 0.01;
+/// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera. By hand: not on
+/// record.
+const MOVED_SHARE: f64 = 0.01;
 
 /// Cameras before which the disk's centre is elsewhere than before most, and by what angle. \[°\]
 /// A fixed camera sees it in one place all the time, be the disk turned as it may.
@@ -136,12 +137,12 @@ fn turned(poses: &[Pose]) -> Vec<(usize, f64)> {
     let off = |p: &Pose| p.translation.angle(&usual);
     let places = poses.iter().map(off).enumerate();
     places
-        .filter(|(_, off)| *off > MOVED)
+        .filter(|(_, off)| *off > MOVED_SHARE)
         .map(|(i, off)| (i, off.to_degrees()))
         .collect()
 }
 
-/// A disk that turned by less than this did not turn. \[°\]
+/// A disk that turned by less than this did not turn. By hand: not on record. \[°\]
 const STILL_DEG: f64 = 0.5;
 
 /// Between which photos the disk, seen by its mat, did not turn or turned otherwise than between

@@ -11,8 +11,8 @@ pub(crate) enum Posture {
     UpsideDown,
 }
 
-/// A camera that looks down more steeply does not count. \[rad\]
-const STEEP: f64 = 1.2;
+/// A camera that looks down more steeply does not count. By hand: not on record. \[rad\]
+const STEEPEST_RAD: f64 = 1.2;
 
 /// Which way up runs on most photos: to the top edge, to one of the sides, or to the bottom edge.
 pub(crate) fn posture(cameras: &Cameras) -> Posture {
@@ -27,7 +27,7 @@ pub(crate) fn posture(cameras: &Cameras) -> Posture {
 /// The angle between the axis on a photo and the photo's own upward direction. \[rad\]
 fn lean(camera: &shape::Camera) -> Option<f64> {
     let ahead = camera.pose.rotation.inverse() * Vector3::z();
-    if ahead.z.abs() > libm::sin(STEEP) {
+    if ahead.z.abs() > libm::sin(STEEPEST_RAD) {
         return None;
     }
     let [foot, above] = [0.0, 1.0].map(|z| camera.pose.apply(&Point3::new(0.0, 0.0, z)));

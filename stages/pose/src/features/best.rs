@@ -4,7 +4,7 @@
 
 /// A description's likeness to itself (structural).
 pub(crate) const SAME: f32 = 512.0 * 512.0;
-/// Features nearer to each other than this are one place with several directions. \[px\]
+/// Features nearer to each other than this are one place with several directions. By hand: not on record. \[px\]
 pub(crate) const PLACE_PX: f32 = 2.0;
 /// The two best so far.
 pub(crate) struct Best {

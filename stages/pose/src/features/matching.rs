@@ -15,8 +15,8 @@ pub(crate) fn likeness(a: &[u8; 128], b: &[u8; 128]) -> i32 {
         .sum()
 }
 
-/// Least likeness of one thing seen twice from one place.
-const ALIKE: i32 = 512 * 512 / 100 * 88;
+/// Least likeness of one thing seen twice from one place, 0.88 of that of equal descriptions. By hand: not on record.
+const STILL_LIKENESS: i32 = 512 * 512 / 100 * 88;
 
 /// Features in the order of their rows.
 struct Rows<'a> {
@@ -58,7 +58,7 @@ pub fn still(a: &Features, b: &Features, still_px: f32) -> [Vec<bool>; 2] {
             let other = &b.points[*j as usize];
             let here = libm::hypotf(other.x - k.x, other.y - k.y) < still_px
                 && (0.75..1.34).contains(&(other.scale / k.scale));
-            if here && likeness(d, &b.descriptors[*j as usize]) > ALIKE {
+            if here && likeness(d, &b.descriptors[*j as usize]) > STILL_LIKENESS {
                 is_still[0][i] = true;
                 is_still[1][*j as usize] = true;
             }
@@ -67,9 +67,9 @@ pub fn still(a: &Features, b: &Features, still_px: f32) -> [Vec<bool>; 2] {
     is_still
 }
 
-/// Of the photos that are far away in the turn, the share that shows a feature again before it counts
-/// as standing still, and the least number of them.
-const AGAIN: (usize, usize) = (4, 2);
+/// Of the photos that are far away in the turn, the part that shows a feature again before it counts as standing still,
+/// and the least number of them. By hand: not on record.
+const SEEN_AGAIN: (usize, usize) = (4, 2);
 
 /// Which features of each photo do not move, as those more than `reach` steps away in the turn show,
 /// so that what turns cannot look the same there: grain that is long and faint is found at another
@@ -93,7 +93,7 @@ pub fn standing(views: &[&Features], reach: usize, still_px: f32) -> Vec<Vec<boo
             counts.for_each(|(t, s)| *t += usize::from(*s));
         }
     }
-    let least = (n.saturating_sub(2 * reach + 1) / AGAIN.0).max(AGAIN.1);
+    let least = (n.saturating_sub(2 * reach + 1) / SEEN_AGAIN.0).max(SEEN_AGAIN.1);
     let enough = |t: &Vec<usize>| t.iter().map(|t| *t >= least).collect();
     times.iter().map(enough).collect()
 }

@@ -4,23 +4,26 @@
 use rayon::prelude::*;
 use shape::{Gray, Image, Photo, PhotoError, Photos, registered};
 
-/// Size to which photos are reduced. \[px\]
-const LONGEST: usize = 400;
-/// A pixel changes where it differs by more than so many standard deviations of the noise, and levels.
-const CHANGES: (f32, f32) = (5.0, 6.0);
-/// Share of the pixels whose differences give the noise.
-const QUIET: f64 = 0.4;
-/// Reach to which what changes is joined, as a share of the longer side.
-const JOINED: f64 = 0.02;
-/// Longest gap in a row that is closed, as a share of the longer side.
-const GAP: f64 = 0.15;
-/// Shares of a photo that may change: less is noise, more is a camera that moved.
-const SHARE: std::ops::RangeInclusive<f64> = 0.01..=0.6;
+/// Size to which photos are reduced (structural: a region's border is then known to a 400th of the photo, an eighth of
+/// what `JOINED_SHARE` adds to it). \[px\]
+const LONGEST_PX: usize = 400;
+/// A pixel changes where it differs by more than so many standard deviations of the noise, and levels. By hand: not on
+/// record.
+const CHANGES_BEYOND: (f32, f32) = (5.0, 6.0);
+/// Share of the pixels whose differences give the noise (structural: any share of them that does not change; its
+/// deviation is derived, for as large a share of a normal distribution is within 0.5244 of it).
+const QUIET_SHARE: f64 = 0.4;
+/// Reach to which what changes is joined, as a share of the longer side. By hand: not on record.
+const JOINED_SHARE: f64 = 0.02;
+/// Longest gap in a row that is closed, as a share of the longer side. By hand: not on record.
+const GAP_SHARE: f64 = 0.15;
+/// Shares of a photo that may change: less is noise, more is a camera that moved. By hand: not on record.
+const CHANGING_SHARES: std::ops::RangeInclusive<f64> = 0.01..=0.6;
 
 /// What of each photo turns, reduced; `None` where nothing is still, or nothing turns.
 pub(crate) fn moving(photos: &Photos) -> Result<Option<Vec<Image<bool>>>, PhotoError> {
     let small = |photo: &Photo| {
-        let by = (photo.width.max(photo.height) as usize / LONGEST).max(1);
+        let by = (photo.width.max(photo.height) as usize / LONGEST_PX).max(1);
         Ok(photo.decode()?.gray().reduced(by))
     };
     let smalls: Vec<Gray> = photos
@@ -45,9 +48,9 @@ fn regions(smalls: &[Gray]) -> Option<Vec<Image<bool>>> {
             let off = there.data.iter().zip(&still.data);
             let off: Vec<f32> = off.map(|(a, b)| ((a - bias) / gain - b).abs()).collect();
             let mut sorted = off.clone();
-            let quiet = (off.len() as f64 * QUIET) as usize;
+            let quiet = (off.len() as f64 * QUIET_SHARE) as usize;
             let (_, quiet, _) = sorted.select_nth_unstable_by(quiet, f32::total_cmp);
-            let least = (CHANGES.0 * *quiet / 0.5244).max(CHANGES.1);
+            let least = (CHANGES_BEYOND.0 * *quiet / 0.5244).max(CHANGES_BEYOND.1);
             Image {
                 width: still.width,
                 height: still.height,
@@ -69,12 +72,12 @@ fn regions(smalls: &[Gray]) -> Option<Vec<Image<bool>>> {
     let share =
         |r: &Image<bool>| r.data.iter().filter(|m| **m).count() as f64 / r.data.len() as f64;
     let usual = shape::upper_median(regions.iter().map(share))?;
-    SHARE.contains(&usual).then_some(regions)
+    CHANGING_SHARES.contains(&usual).then_some(regions)
 }
 
 /// What is near to each other becomes one, without its holes; single pixels go.
 fn joined(changes: &Image<bool>) -> Image<bool> {
-    let reach = ((changes.width.max(changes.height) as f64 * JOINED) as usize).max(1);
+    let reach = ((changes.width.max(changes.height) as f64 * JOINED_SHARE) as usize).max(1);
     let kept = spread(&spread(changes, 1, false), 1, true);
     let wide = spread(&kept, reach, true);
     filled(&bridged(&wide))
@@ -88,7 +91,7 @@ fn bridged(from: &Image<bool>) -> Image<bool> {
         let mut last: Option<usize> = None;
         for x in (0..from.width).filter(|x| from.at(*x, y)) {
             let gap = last.map_or(0..0, |l| l + 1..x);
-            if (gap.len() as f64) < GAP * longest {
+            if (gap.len() as f64) < GAP_SHARE * longest {
                 gap.for_each(|x| *out.at_mut(x, y) = true);
             }
             last = Some(x);

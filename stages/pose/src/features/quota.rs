@@ -2,12 +2,12 @@
 
 use shape::Image;
 
-/// Share of the features that may be where nothing turns.
-const STANDING: f64 = 0.25;
-/// Contrast that suffices where things turn, as a share of that elsewhere.
-pub(crate) const FAINT: f32 = 0.5;
-/// Cells along the longer side of a photo; each gives its strongest by turns.
-const CELLS: f32 = 40.0;
+/// Share of the features that may be where nothing turns. By hand: not on record.
+const STANDING_SHARE: f64 = 0.25;
+/// Contrast that suffices where things turn, as a share of that elsewhere. By hand: not on record.
+pub(crate) const FAINT_SHARE: f32 = 0.5;
+/// Cells along the longer side of a photo; each gives its strongest by turns. By hand: not on record.
+const CELLS_ALONG: f32 = 40.0;
 
 /// A place with its contrast. \[px of the photo, levels\]
 #[derive(Debug, Clone, Copy)]
@@ -16,8 +16,9 @@ pub(crate) struct Spot {
     pub(crate) contrast: f32,
 }
 
-/// Some places have several directions, each of which is a feature.
-const PLACES: f64 = 0.8;
+/// Some places have several directions, each of which is a feature: of so many features as may be kept, this share is
+/// places. By hand: not on record.
+const PLACES_SHARE: f64 = 0.8;
 
 /// Which spots are kept, so that there are `most` features in all. `turns`: of each place of a photo
 /// whether things turn there; elsewhere a spot needs a contrast.
@@ -28,7 +29,7 @@ pub(crate) fn kept(
     contrast: f32,
     turns: &dyn Fn([f32; 2]) -> bool,
 ) -> Vec<bool> {
-    let most = (most as f64 * PLACES) as usize;
+    let most = (most as f64 * PLACES_SHARE) as usize;
     let strength = |a: &usize, b: &usize| {
         spots[*b]
             .contrast
@@ -41,7 +42,7 @@ pub(crate) fn kept(
     outside.retain(|i| spots[*i].contrast >= contrast);
     outside.sort_by(strength);
     // How many of its cell are stronger.
-    let cell = width.max(height) as f32 / CELLS;
+    let cell = width.max(height) as f32 / CELLS_ALONG;
     let mut counts = std::collections::BTreeMap::new();
     let mut ranked: Vec<(u32, usize)> = inside
         .iter()
@@ -53,7 +54,7 @@ pub(crate) fn kept(
         })
         .collect();
     ranked.sort_by_key(|(rank, _)| *rank);
-    let standing = ((most as f64 * STANDING) as usize).min(outside.len());
+    let standing = ((most as f64 * STANDING_SHARE) as usize).min(outside.len());
     let mut keeps = vec![false; spots.len()];
     let turning = ranked.iter().map(|(_, i)| *i).take(most - standing);
     turning

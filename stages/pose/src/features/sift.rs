@@ -5,7 +5,7 @@ use crate::features::detect::{Extremum, extrema, orientations};
 use crate::features::gradients::fading;
 use crate::features::moving::moving;
 use crate::features::pyramid::{Octave, octaves};
-use crate::features::quota::{FAINT, Spot, kept, within};
+use crate::features::quota::{FAINT_SHARE, Spot, kept, within};
 use rayon::prelude::*;
 use shape::{Features, Gray, Image, Keypoint, Keypoints, Photo, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};
@@ -146,7 +146,7 @@ fn features_in(gray: &Gray, p: &SiftParams, region: Option<&Image<bool>>) -> Fea
     let fading = fading();
     let fine = reduced.width.max(reduced.height) <= p.fine_px as usize;
     let (contrast, edge) = (p.contrast as f32, p.edge as f32);
-    let least = if region.is_some() { FAINT } else { 1.0 } * contrast;
+    let least = if region.is_some() { FAINT_SHARE } else { 1.0 } * contrast;
     let looked = octaves(&reduced, fine, |unit, mut octave| {
         let found = extrema(&octave, least, edge);
         octave.keep(|layer| found.iter().any(|e| e.layer == layer));

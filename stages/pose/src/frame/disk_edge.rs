@@ -19,21 +19,22 @@ pub struct DiskEdge {
     pub round: bool,
 }
 
-/// Steps of half a level are none, whatever the rest are: files hold whole levels.
-const LEAST_STEP: f64 = 0.5;
+/// Steps of half a level are none, whatever the rest are: files hold whole levels (derived: what rounding hides).
+/// \[levels\]
+const LEAST_STEP_LEVELS: f64 = 0.5;
 /// Points around the edge (structural: samples).
 const AROUND: usize = 96;
 
-/// How far to both sides of an edge to look that may be between circles tried. \[px\]
+/// How far to both sides of an edge to look that may be between circles tried. By hand: not on record. \[px\]
 const WIDE: f64 = 4.0;
 /// Circles tried along heights and along radii (structural: samples of a search).
 const STEPS: usize = 70;
 /// So many of the strongest circles are looked at; where one edge is no disk's, many are along it.
 /// It is structural: the width of a search.
 const PEAKS: usize = 100;
-/// A quarter of a disk's steps may be less than this share of their mean: other edges of the background, a
-/// skirting board's, follow a circle for a part of it.
-const ALL_AROUND: f64 = 0.25;
+/// A quarter of a disk's steps may be less than this share of their mean: other edges of the background, a skirting
+/// board's, follow a circle for a part of it. By hand: not on record.
+const LEAST_QUARTER_SHARE: f64 = 0.25;
 
 /// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges
 /// nearly as strong and as wide (a disk has a lower one too) the upper is taken. Where that is no
@@ -66,7 +67,7 @@ pub fn disk_edge(
         height,
         radius,
         contrast: found.2,
-        standout: found.2 / usual.max(LEAST_STEP),
+        standout: found.2 / usual.max(LEAST_STEP_LEVELS),
     })
 }
 
@@ -140,7 +141,7 @@ fn is_all_around(gray: &Gray, camera: &Camera, (z, r, contrast): Circle) -> bool
     let way = steps.iter().sum::<f64>().signum();
     steps.iter_mut().for_each(|s| *s *= way);
     steps.sort_by(f64::total_cmp);
-    steps[steps.len() / 4] > ALL_AROUND * contrast
+    steps[steps.len() / 4] > LEAST_QUARTER_SHARE * contrast
 }
 
 /// The strongest edge all around that is on or between the circles tried.

@@ -4,22 +4,24 @@ use crate::frame::edge_profile::Profile;
 use nalgebra::{Matrix2, Point3, Vector2};
 use shape::{Camera, Gray};
 
-/// How far outwards and inwards profiles reach, and by what steps. \[px\]
-const OUT: f64 = 5.0;
-const IN: f64 = 4.0;
+/// How far outwards profiles reach. By hand: not on record. \[px\]
+const OUTWARDS_PX: f64 = 5.0;
+/// How far inwards profiles reach. By hand: not on record. \[px\]
+const INWARDS_PX: f64 = 4.0;
 /// Step of a profile (structural: samples).
 const STEP: f64 = 0.25;
-/// Arcs around the edge, and lines across each, of which the mean is a profile.
+/// Arcs around the edge, each of which has a profile (structural: samples).
 const ARCS: usize = 16;
+/// Lines across each arc, of which the mean is its profile (structural: samples).
 const LINES: usize = 12;
-/// Fewest arcs that show an edge.
-const LEAST: usize = 8;
+/// Fewest arcs that show an edge: half of them (derived).
+const LEAST_ARCS: usize = ARCS / 2;
 /// Rounds of circle and profiles (structural: the second hardly changes it).
 const ROUNDS: usize = 3;
-/// How far to both sides of an edge it is looked whether it grows brighter. \[px\]
+/// How far to both sides of an edge it is looked whether it grows brighter. By hand: not on record. \[px\]
 pub(super) const NEAR: f64 = 1.5;
-/// Least standard deviation of an arc's edge. \[px\]
-const LEAST_SIGMA: f64 = 0.1;
+/// Least standard deviation of an arc's edge. By hand: not on record. \[px\]
+const LEAST_SIGMA_PX: f64 = 0.1;
 
 /// An arc of the circle: light across it, outwards, and by how much it would move there were the circle higher and wider
 /// by one.
@@ -43,7 +45,7 @@ pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<
         let brighter = arcs.iter().map(|a| a.profile.change(NEAR)).sum::<f64>() > 0.0;
         let edge = |a: &Arc| Some((a.profile.edge(brighter)?, a.by_height, a.by_radius));
         let edges: Vec<Edge> = arcs.iter().filter_map(edge).collect();
-        if edges.len() < LEAST {
+        if edges.len() < LEAST_ARCS {
             return None;
         }
         let (dz, dr) = laid(&edges)?;
@@ -56,9 +58,9 @@ pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<
 fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> Option<Arc> {
     let centre = camera.centre();
     let towards = libm::atan2(centre.y, centre.x);
-    let count = ((OUT + IN) / STEP) as usize + 1;
+    let count = ((OUTWARDS_PX + INWARDS_PX) / STEP) as usize + 1;
     let mut profile = Profile {
-        first: -IN,
+        first: -INWARDS_PX,
         step: STEP,
         light: vec![0.0; count],
     };
@@ -79,7 +81,7 @@ fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> 
         by_radius += across.dot(&wider);
         by_height += across.dot(&(project(radius, 0.0, height + small)? - at)) / small;
         for (i, sum) in profile.light.iter_mut().enumerate() {
-            let px = at + across * (i as f64 * STEP - IN);
+            let px = at + across * (i as f64 * STEP - INWARDS_PX);
             let [w, h] = [gray.width, gray.height].map(|n| n as f64 - 1.0);
             if !((0.0..w).contains(&px.x) && (0.0..h).contains(&px.y)) {
                 return None;
@@ -100,7 +102,7 @@ fn laid(edges: &[Edge]) -> Option<(f64, f64)> {
     for _ in 0..10 {
         let off = |(off, by_z, by_r): &Edge| off - by_z * dz - by_r * dr;
         let far = shape::upper_median(edges.iter().map(|e| off(e).abs())).unwrap_or_default();
-        let bound = 4.685 * (far / 0.6745).max(LEAST_SIGMA);
+        let bound = 4.685 * (far / 0.6745).max(LEAST_SIGMA_PX);
         let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
         for edge in edges {
             let u = off(edge) / bound;

@@ -64,8 +64,8 @@ pub(crate) fn edge(
     let smallest = smallest(cameras, rig).filter(|_| body.is_none());
     let narrow = smallest.map_or(least, |r| least.max(r * (1.0 - rules.contradiction)));
     // Next to nothing that turns is lower: subject and disk are above.
-    let low = turning(cameras, MIRRORED);
-    let may = |z: f64, r: f64| r >= narrow && low.is_none_or(|low| z <= low + THICK * r);
+    let low = turning(cameras, MIRRORED_SHARE);
+    let may = |z: f64, r: f64| r >= narrow && low.is_none_or(|low| z <= low + THICKEST_SHARE * r);
     let search = |[low, high]: [f64; 2], least_standout: f64| {
         let radii = [(low * ring).max(least), high * ring];
         let camera = cameras.views.values().next()?.camera;
@@ -98,10 +98,10 @@ pub(crate) fn edge(
     other.filter(strong).or(found)
 }
 
-/// A disk is no thicker than this share of its radius (by hand).
-const THICK: f64 = 0.5;
-/// Share of the features that may be lower, as what a glossy disk mirrors (by hand).
-const MIRRORED: f64 = 0.05;
+/// A disk is no thicker than this share of its radius. By hand: not on record.
+const THICKEST_SHARE: f64 = 0.5;
+/// Share of the features that may be lower, as what a glossy disk mirrors. By hand: not on record.
+const MIRRORED_SHARE: f64 = 0.05;
 
 /// Height below which such a share of the features that turn is. `None` without features.
 fn turning(cameras: &Cameras, share: f64) -> Option<f64> {
@@ -113,7 +113,7 @@ fn turning(cameras: &Cameras, share: f64) -> Option<f64> {
 
 /// The disk as small as it can be, where its size and the subject's are given: what turns is not taller than the subject.
 fn smallest(cameras: &Cameras, rig: &Rig) -> Option<f64> {
-    let shares = [MIRRORED, 1.0 - MIRRORED];
+    let shares = [MIRRORED_SHARE, 1.0 - MIRRORED_SHARE];
     let [low, high] = shares.map(|share| turning(cameras, share));
     Some(rig.disk_diameter_mm? / 2.0 * (high? - low?) / rig.stature_mm?)
 }

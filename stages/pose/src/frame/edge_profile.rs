@@ -6,18 +6,21 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// What is tried first: places of the edge, widths of the band, standard deviations of the blur. \[px\]
-const EDGES: [f64; 2] = [-2.0, 2.0];
-const BANDS: [f64; 2] = [1.0, 5.0];
-const BLURS: [f64; 2] = [0.3, 2.1];
+/// Places of the edge that are tried first; what is farther off is another edge. By hand: not on record. \[px\]
+const EDGES_PX: [f64; 2] = [-2.0, 2.0];
+/// Widths of the band that are tried first (structural: where a search begins). \[px\]
+const BANDS_PX: [f64; 2] = [1.0, 5.0];
+/// Standard deviations of the blur that are tried first (structural: where a search begins). \[px\]
+const BLURS_PX: [f64; 2] = [0.3, 2.1];
 /// How many of each are tried (structural: the grid from which a search begins).
 const TRIED: [usize; 3] = [17, 9, 7];
-/// Least width of a band and least blur. \[px\]
-const LEAST: [f64; 2] = [0.5, 0.2];
+/// Least width of a band and least blur: narrower ones are alike on pixels. By hand: not on record. \[px\]
+const NARROWEST_PX: [f64; 2] = [0.5, 0.2];
 /// Rounds in which the best is bettered by ever smaller steps (structural: steps are halved to a ten-thousandth).
 const ROUNDS: usize = 14;
-/// An edge is one where the model is off by less than this share of all that light changes, root mean square (by hand).
-const LOOSE: f64 = 0.25;
+/// An edge is one where the model is off by less than this share of all that light changes, root mean square. By hand:
+/// not on record.
+const LOOSE_SHARE: f64 = 0.25;
 
 /// Light along a line that crosses an edge outwards, every `step` pixels from `first` on.
 pub(crate) struct Profile {
@@ -39,9 +42,9 @@ impl Profile {
             (0..count).map(move |i| low + (high - low) * i as f64 / (count - 1) as f64)
         };
         let mut best: Option<(f64, [f64; 3])> = None;
-        for edge in tried(EDGES, TRIED[0]) {
-            for band in tried(BANDS, TRIED[1]) {
-                for blur in tried(BLURS, TRIED[2]) {
+        for edge in tried(EDGES_PX, TRIED[0]) {
+            for band in tried(BANDS_PX, TRIED[1]) {
+                for blur in tried(BLURS_PX, TRIED[2]) {
                     let at = [edge, band, blur];
                     let cost = self.cost(at, brighter);
                     if cost.is_some_and(|c| best.is_none_or(|(least, _)| c < least)) {
@@ -57,7 +60,7 @@ impl Profile {
             for (k, way) in (0..3).flat_map(|k| [(k, -1.0), (k, 1.0)]) {
                 let mut other = at;
                 other[k] += way * steps[k];
-                if other[1] < LEAST[0] || other[2] < LEAST[1] {
+                if other[1] < NARROWEST_PX[0] || other[2] < NARROWEST_PX[1] {
                     continue;
                 }
                 if let Some(less) = self.cost(other, brighter).filter(|c| *c < cost) {
@@ -65,14 +68,14 @@ impl Profile {
                 }
             }
         }
-        let [low, high] = EDGES;
+        let [low, high] = EDGES_PX;
         let (darkest, brightest) = self
             .light
             .iter()
             .fold((f64::MAX, f64::MIN), |(low, high), l| {
                 (low.min(*l), high.max(*l))
             });
-        let loose = LOOSE * (brightest - darkest);
+        let loose = LOOSE_SHARE * (brightest - darkest);
         (cost < loose * loose && low < at[0] && at[0] < high).then_some(at[0])
     }
 

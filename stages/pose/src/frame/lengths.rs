@@ -51,18 +51,19 @@ pub(crate) struct Seen {
     pub(crate) by_soles: bool,
 }
 
-/// Standard deviation of a stature that is given and silhouettes show, as a share (by hand).
-const TALL: f64 = 0.003;
-/// The same of what rounded soles hide of it: they seem to be higher than they do (by hand: 1.0 % on a made figure with feet
-/// like balls; a shoe's edge is sharper). Where disk, tags or a floor give the ground, nothing is hidden.
-const SOLES: f64 = 0.01;
+/// Standard deviation of a stature that is given and silhouettes show, as a share. By hand: not on record.
+const STATURE_SIGMA: f64 = 0.003;
+/// The same of what rounded soles hide of it: they seem to be higher than they are. By hand: looked at on a made figure
+/// with feet like balls, 1.0 %; a shoe's edge is sharper. Where disk, tags or a floor give the ground, nothing is
+/// hidden.
+const SOLES_SIGMA: f64 = 0.01;
 
 /// Standard deviation of a length that is read off a ruler in whole millimetres: even from half of one below to half of one above. \[mm\]
 /// (derived: 1/√12.)
 const RULER_MM: f64 = 0.289;
 
-/// The edge that is seen of a covered disk may be its cover's, which ends so far within it, or where the disk's own edge
-/// begins to be rounded (by hand: as paper is cut). \[mm\]
+/// The edge that is seen of a covered disk may be its cover's, which ends so far within it, or where the disk's own
+/// edge begins to be rounded. By hand: looked at how paper is cut. \[mm\]
 const CUT_MM: f64 = 3.0;
 
 /// The lengths that are known and were seen, the one to be believed first.
@@ -77,7 +78,7 @@ pub(crate) fn measures(
         let body = seen.body.as_ref()?;
         let height = body.crown - seen.ground;
         let (soles, hidden) = match seen.by_soles {
-            true => (body.ground_spread, SOLES),
+            true => (body.ground_spread, SOLES_SIGMA),
             false => (0.0, 0.0),
         };
         let spread =
@@ -86,7 +87,10 @@ pub(crate) fn measures(
             what,
             scale,
             mm_per_unit: mm / height,
-            sigma: Some(libm::hypot(spread / height, libm::hypot(TALL, hidden))),
+            sigma: Some(libm::hypot(
+                spread / height,
+                libm::hypot(STATURE_SIGMA, hidden),
+            )),
             length: Length::Stature.or_reference(scale),
             given: Some(mm),
             slip: GIVEN_STATURE,

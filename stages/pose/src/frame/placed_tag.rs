@@ -5,11 +5,11 @@ use nalgebra::{Point3, Vector3};
 use shape::{Camera, Cameras, PhotoId, Tag, Tags};
 use std::collections::BTreeMap;
 
-/// A tag whose sides or diagonals differ by more is none, or is not flat.
-const SQUARE: f64 = 0.06;
+/// A tag whose sides or diagonals differ by a greater share is none, or is not flat. By hand: not on record.
+const SQUARE_SHARE: f64 = 0.06;
 
-/// Tags that are within this of level are on the ground. \[rad\]
-const LEVEL: f64 = 0.12;
+/// Tags that are within this of level are on the ground. By hand: not on record. \[rad\]
+const LEVEL_RAD: f64 = 0.12;
 
 /// One tag in the world.
 pub(crate) struct PlacedTag {
@@ -37,7 +37,7 @@ impl PlacedTag {
     /// Right angles and even sides: its diagonals are √2 sides long, and so are its sides.
     fn square(&self) -> bool {
         let (c, side) = (&self.corners, self.side());
-        let even = |length: f64, of: f64| (length / of - 1.0).abs() < SQUARE;
+        let even = |length: f64, of: f64| (length / of - 1.0).abs() < SQUARE_SHARE;
         let diagonal = std::f64::consts::SQRT_2 * side;
         (0..4).all(|k| even((c[(k + 1) % 4] - c[k]).norm(), side))
             && (0..2).all(|k| even((c[k + 2] - c[k]).norm(), diagonal))
@@ -45,7 +45,7 @@ impl PlacedTag {
 
     /// Whether it is flat on a level ground.
     pub(crate) fn is_level(&self) -> bool {
-        self.normal().angle(&Vector3::z()) < LEVEL
+        self.normal().angle(&Vector3::z()) < LEVEL_RAD
     }
 
     /// The unit normal, upward.

@@ -16,12 +16,12 @@ pub struct Stature {
     pub ground_spread: f64,
 }
 
-/// Share of the silhouette's rows from below that hold the feet only.
-const FEET: f64 = 0.05;
+/// Share of the silhouette's rows from below that hold the feet only. By hand: not on record.
+const FEET_SHARE: f64 = 0.05;
 
-/// Radius of the head about its crown, as a share of stature: a ray that touches a ball from below
-/// crosses its middle above its top, at r / cos(elevation).
-const HEAD: f64 = 0.055;
+/// Radius of the head about its crown, as a share of stature: a ray that touches a ball from below crosses its middle
+/// above its top, at r / cos(elevation). Half of a head's length is 0.057 of it, half of its breadth 0.044 (ANSUR II).
+const HEAD_RADIUS: f64 = 0.055;
 
 /// What one silhouette shows.
 struct Extent {
@@ -53,7 +53,7 @@ pub fn stature(views: &[(&Camera, &Mask)]) -> Option<Stature> {
     let ground = (half_width - front) / slope;
     let alone = |e: &Extent| (e.half_width - e.front[0]) / e.front[1];
     (slope.abs() > 0.5).then(|| Stature {
-        crown: crown - HEAD * (crown - ground) * mean(&|e| e.over),
+        crown: crown - HEAD_RADIUS * (crown - ground) * mean(&|e| e.over),
         ground,
         crown_spread: spread,
         ground_spread: mean(&|e| (alone(e) - ground).powi(2)).sqrt(),
@@ -91,7 +91,7 @@ fn extent(camera: &Camera, mask: &Mask) -> Option<Extent> {
     // P(z) = C + r (z - C.z) / r.z
     let slope = low.dot(&out) / low.z;
     let front = centre.coords.dot(&out) - centre.z * slope;
-    let feet = bottom - ((bottom - top) as f64 * FEET) as usize;
+    let feet = bottom - ((bottom - top) as f64 * FEET_SHARE) as usize;
     let (mut left, mut right) = (f64::MAX, f64::MIN);
     for y in feet..=bottom {
         if let Some((a, b)) = row(y) {

@@ -30,11 +30,11 @@ pub(crate) struct Known<'a> {
     pub(crate) most_px: f64,
 }
 
-/// A side of a printed square seems so much longer or shorter, by exposure and blur. \[px\]
+/// A side of a printed square seems so much longer or shorter, by exposure and blur. By hand: not on record. \[px\]
 const BLOOM_PX: f64 = 0.3;
 
-/// No scale is surer than this share: what is printed or measured, and its reading.
-pub(super) const LEAST_SIGMA: f64 = 0.001;
+/// No scale is surer than this share: what is printed or measured, and its reading. By hand: not on record.
+pub(super) const LEAST_SCALE_SIGMA: f64 = 0.001;
 
 /// How long a unit is. `None` where no tag is seen well enough from two sides.
 pub(crate) fn tag_scale(cameras: &Cameras, tags: &Tags, known: &Known<'_>) -> Option<TagScale> {
@@ -46,7 +46,7 @@ pub(crate) fn tag_scale(cameras: &Cameras, tags: &Tags, known: &Known<'_>) -> Op
     };
     Some(TagScale {
         mm_per_unit,
-        sigma: libm::hypot(sigma, LEAST_SIGMA),
+        sigma: libm::hypot(sigma, LEAST_SCALE_SIGMA),
         ground: ground(&placed),
         tags: placed.len(),
     })

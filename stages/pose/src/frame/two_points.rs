@@ -1,6 +1,6 @@
 //! A known length between two points that somebody pointed at in photos: the edge of a sheet on the floor, a rule, a door.
 
-use crate::frame::tag_scale::LEAST_SIGMA;
+use crate::frame::tag_scale::LEAST_SCALE_SIGMA;
 use crate::two_view::triangulate::triangulate;
 use nalgebra::{Matrix3, Point3};
 use shape::{Camera, Cameras, Reference};
@@ -13,12 +13,12 @@ stage::messages! {
     UNSURE = "warn-points-unsure": "the length between the two points of [reference] has a standard deviation of {sigma:.0 %}: point at two that are farther apart, in more photos; the length was passed over";
 }
 
-/// Standard deviation of a pointed pixel, of each coordinate (by hand). \[px\]
+/// Standard deviation of a pointed pixel, of each coordinate. By hand: not on record. \[px\]
 const POINTED_PX: f64 = 2.0;
-/// Rays that miss by more than so many of those, root mean square, belong to no one point.
-const MOST_MISS: f64 = 5.0;
-/// A length that is less sure than this share is not used.
-const LEAST_SURE: f64 = 0.2;
+/// Rays that miss by more than so many of those, root mean square, belong to no one point. By hand: not on record.
+const MOST_MISS_SIGMAS: f64 = 5.0;
+/// A length that is less sure than this share is not used. By hand: not on record.
+const UNSUREST_SHARE: f64 = 0.2;
 
 /// The length in the cameras' unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,15 +76,15 @@ pub(crate) fn between(cameras: &Cameras, known: &Reference) -> Result<Between, N
     let [from, to] = ends.map(|end| triangulate(&views, &end));
     let ((from, a), (to, b)) = (from.ok_or(few.clone())?, to.ok_or(few.clone())?);
     let miss = ((a * a + b * b) / 2.0).sqrt();
-    if miss > MOST_MISS * POINTED_PX {
+    if miss > MOST_MISS_SIGMAS * POINTED_PX {
         return Err(NoLength::Miss(miss));
     }
     let px = miss.max(POINTED_PX);
     let (a, b) = (doubt(&views, &from, px), doubt(&views, &to, px));
     let doubt = a.zip(b).map(|(a, b)| a + b).ok_or(few)?;
     let (way, length) = ((to - from).normalize(), (to - from).norm());
-    let sigma = libm::hypot(way.dot(&(doubt * way)).sqrt() / length, LEAST_SIGMA);
-    match sigma < LEAST_SURE {
+    let sigma = libm::hypot(way.dot(&(doubt * way)).sqrt() / length, LEAST_SCALE_SIGMA);
+    match sigma < UNSUREST_SHARE {
         true => Ok(Between { length, sigma }),
         false => Err(NoLength::Unsure(100.0 * sigma)),
     }

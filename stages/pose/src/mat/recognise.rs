@@ -38,14 +38,15 @@ pub struct Ringed {
 const SQUARE: [[f64; 2]; 4] = [[-0.5, 0.5], [0.5, 0.5], [0.5, -0.5], [-0.5, -0.5]];
 /// Pixels are brought to the order of 1 by this (structural: a unit).
 const PX: f64 = 1e-3;
-/// What photos show of ring against tag is within this of what was printed: 0.6 to 1.9 ‰ off on rendered captures
-/// through a lens that distorts.
-const EXACT: f64 = 0.0025;
-/// Nominal and printed size of a tag agree within this: printers shrink pages.
-const PRINTED: f64 = 0.03;
+/// What photos show of ring against tag is within this of what was printed. By hand: looked at on rendered captures
+/// through a lens that distorts, where it is 0.6 to 1.9 ‰ off.
+const RING_SHARE: f64 = 0.0025;
+/// Nominal and printed size of a tag agree within this: printers shrink pages. By hand: not on record.
+const PRINTED_SHARE: f64 = 0.03;
 /// Most photos that are looked at for the ring's radius (structural: more of them only take longer).
 const PHOTOS: usize = 12;
-/// Sides of tags are shifted by ink and light less than this. \[px\]
+/// Sides of tags are shifted by ink and light less than this (structural: where a search ends; what is looked for is
+/// within). \[px\]
 const BLOOM_PX: f64 = 0.5;
 
 /// The plane's place that a homography from a picture gives for a pixel.
@@ -160,7 +161,7 @@ pub(crate) fn another(tags: &Tags, given: &Mat) -> Option<Message> {
     let ids = given.first_id..given.first_id + given.count;
     let same = seen.count == given.count
         && ids.contains(&seen.first_id)
-        && (seen.ring / wide - 1.0).abs() < PRINTED;
+        && (seen.ring / wide - 1.0).abs() < PRINTED_SHARE;
     if same {
         return None;
     }
@@ -204,9 +205,10 @@ fn fitted(tags: &Tags, first: u32, count: u32, rough: f64) -> Option<f64> {
 fn as_printed(ring: &Ringed, tag_mm: f64, disk_mm: Option<f64>) -> Option<(Mat, f64)> {
     // As it was laid out: tags of whole fives of millimetres, or of a size that was asked for.
     let fives = (tag_mm / 5.0).round() * 5.0;
-    let near = |nominal: &f64| *nominal > 0.0 && (tag_mm / nominal - 1.0).abs() < PRINTED;
+    let near = |nominal: &f64| *nominal > 0.0 && (tag_mm / nominal - 1.0).abs() < PRINTED_SHARE;
     let nominals = [fives, tag_mm.round(), tag_mm].into_iter().filter(near);
-    let fits = |ring_mm: f64, nominal: f64| (ring_mm / nominal / ring.ring - 1.0).abs() < EXACT;
+    let fits =
+        |ring_mm: f64, nominal: f64| (ring_mm / nominal / ring.ring - 1.0).abs() < RING_SHARE;
     let mat = |ring_mm: f64, nominal: f64| Mat {
         tag_mm,
         first_id: ring.first_id,
@@ -224,7 +226,7 @@ fn as_printed(ring: &Ringed, tag_mm: f64, disk_mm: Option<f64>) -> Option<(Mat, 
         let ring_mm = (ring.ring * nominal).round();
         if fits(ring_mm, nominal) {
             // Neighbouring millimetres may fit as well.
-            let open = if EXACT * ring_mm > 0.5 { 1.0 } else { 0.0 };
+            let open = if RING_SHARE * ring_mm > 0.5 { 1.0 } else { 0.0 };
             return Some((mat(ring_mm, nominal), open));
         }
     }

@@ -18,16 +18,16 @@ stage::messages! {
     MISFIT = "warn-rim-off": "the tags on the disk's rim are {rim:.2 px} from where they should be, those on the disk {mat:.2 px}: they were left out; measure a printed tag and the disk, and check `tag_size_mm` and `radius_mm` of `[rim]`";
 }
 
-/// How far along the rim and how deep a tag may sit from where it seems to at first. \[mm\]
+/// How far along the rim and how deep a tag may sit from where it seems to at first. By hand: not on record. \[mm\]
 pub(crate) const GLUE_MM: f64 = 5.0;
-/// A tag that is seen more aslant than this (cosine) is left out.
-const ASLANT: f64 = 0.45;
-/// And one with a side shorter than this. \[px\]
+/// A tag that is seen more aslant than this (cosine) is left out. By hand: not on record.
+const LEAST_FACING: f64 = 0.45;
+/// And one with a side shorter than this: 1.25 pixels a module. By hand: not on record. \[px\]
 const SHORTEST_PX: f64 = 10.0;
-/// Fewest observations of tags that are worth it.
-const LEAST: usize = 8;
-/// Corners that scatter more than this are not of the strip that was given. \[px\]
-const MOST_PX: f64 = 0.4;
+/// Fewest observations of tags that are worth it. By hand: not on record.
+const LEAST_SIGHTINGS: usize = 8;
+/// Corners that scatter more than this are not of the strip that was given. By hand: not on record. \[px\]
+const MOST_SCATTER_PX: f64 = 0.4;
 
 /// Cameras that know the rim, too.
 pub(crate) struct Better {
@@ -80,7 +80,7 @@ pub(crate) fn with_rim(
             }
         }
     }
-    if seen.len() < LEAST {
+    if seen.len() < LEAST_SIGHTINGS {
         return Err(RimError::Unseen(seen.len()));
     }
     let place: BTreeMap<u32, usize> = middles.keys().copied().zip(0..).collect();
@@ -106,7 +106,7 @@ pub(crate) fn with_rim(
         scatter_px(&scene, &observations[..on_disk]),
         scatter_px(&scene, &observations[on_disk..]),
     );
-    if rim > MOST_PX.max(4.0 * mat) {
+    if rim > MOST_SCATTER_PX.max(4.0 * mat) {
         return Err(RimError::Misfit { rim, mat });
     }
     Ok(Better {
@@ -126,7 +126,7 @@ fn middle(eye: &Camera, tag: &Tag, rim: &Rim) -> Option<[f64; 2]> {
     let (sin, cos) = libm::sincos(angle);
     let at = Point3::new(rim.radius_mm * cos, rim.radius_mm * sin, height);
     let to = (eye.centre() - at).normalize();
-    let facing = to.x * cos + to.y * sin > ASLANT;
+    let facing = to.x * cos + to.y * sin > LEAST_FACING;
     (facing && (0..4).all(|i| side(i) > SHORTEST_PX)).then_some([angle, height])
 }
 

@@ -6,8 +6,9 @@ use shape::tag36h11::TAGS;
 
 /// White to each side of a tag, at least, as a share of its size: one module (structural: one of eight modules).
 const MARGIN: f64 = 0.125;
-/// A tag spans at most this share of the disk's radius, so that it is not seen too round.
-const MOST_BENT: f64 = 0.35;
+/// A tag spans at most this share of the disk's radius, so that it is not seen too round (structural: a print's
+/// layout). Its middle is then 1.5 % of the radius before its edges (derived: 1 − cos 0.175).
+const WIDEST_TAG_SHARE: f64 = 0.35;
 /// Most tags that are chosen where no number is given (structural: the print's layout).
 const ENOUGH: u32 = 48;
 /// What is left of paper behind a piece, to glue the next one on (structural: the print's layout). \[mm\]
@@ -38,9 +39,9 @@ pub fn rim_for(
 ) -> Result<Rim, LayoutError> {
     let radius_mm = disk_mm / 2.0;
     let tallest = thick_mm / (1.0 + 2.0 * MARGIN);
-    let chosen = (tallest.min(MOST_BENT * radius_mm) * 2.0).floor() / 2.0;
+    let chosen = (tallest.min(WIDEST_TAG_SHARE * radius_mm) * 2.0).floor() / 2.0;
     let tag_mm = if tag_mm > 0.0 { tag_mm } else { chosen };
-    if tag_mm < 5.0 || tag_mm > tallest + 1e-9 || tag_mm > MOST_BENT * radius_mm {
+    if tag_mm < 5.0 || tag_mm > tallest + 1e-9 || tag_mm > WIDEST_TAG_SHARE * radius_mm {
         return Err(LayoutError::Thin { tag_mm, thick_mm });
     }
     let around = std::f64::consts::TAU * radius_mm;

@@ -7,7 +7,7 @@ use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{focals, lens_belief, settings};
 use crate::ring::cameras::Solved;
 use crate::ring::error::TracksError;
-use crate::ring::pairs::{LEAST, chosen};
+use crate::ring::pairs::{LEAST_FEATURES, chosen};
 use crate::ring::trial::{filled, spread_px};
 use crate::two_view::resection::{at_origin, resected, two_views};
 use crate::two_view::triangulate::{Seen, triangulate, triangulated};
@@ -16,8 +16,8 @@ use shape::{Camera, Intrinsics, PhotoId, Photos, Pose, Tracks};
 
 /// How many pairs are tried as a beginning (structural: the width of a search).
 const BEGINNINGS: usize = 8;
-/// Points further from where they were seen are left out while cameras are added. \[px\]
-const NEAR_PX: f64 = 6.0;
+/// Points further from where they were seen are left out while cameras are added. By hand: not on record. \[px\]
+const FITS_PX: f64 = 6.0;
 
 /// A point that is triangulated already, and where one more photo shows it. \[mm, px\]
 type KnownPoint = (Point3<f64>, [f64; 2]);
@@ -110,12 +110,12 @@ fn readjust(grown: &mut Grown, tracks: &Tracks, beliefs: &Beliefs, p: &Calibrate
         steps: 12,
         ..settings(p)
     };
-    for most in [2.0 * NEAR_PX, NEAR_PX] {
+    for most in [2.0 * FITS_PX, FITS_PX] {
         let seen = seen(grown, tracks, most);
         let observations = filled(&mut grown.scene, &seen, p.feature_px);
         adjust(&mut grown.scene, &observations, beliefs, &short);
     }
-    let seen = seen(grown, tracks, NEAR_PX);
+    let seen = seen(grown, tracks, FITS_PX);
     grown.score = seen
         .iter()
         .map(|s| s.observations.len() as f64 / (1.0 + s.rms_px * s.rms_px))
@@ -141,12 +141,12 @@ fn grow(
             .iter()
             .filter(|id| !grown.ids.contains(id))
             .map(|id| (*id, known_points(&grown, *id, tracks)))
-            .filter(|(_, known)| known.len() >= LEAST)
+            .filter(|(_, known)| known.len() >= LEAST_FEATURES)
             .collect();
         next.sort_by_key(|(id, known)| (std::cmp::Reverse(known.len()), *id));
         let added = next.into_iter().find_map(|(id, known)| {
             let near = grown.scene.poses.as_slice();
-            let pose = resected(&grown.scene.lens, near, &known, NEAR_PX)?;
+            let pose = resected(&grown.scene.lens, near, &known, FITS_PX)?;
             Some((id, pose))
         });
         let Some((id, pose)) = added else {
@@ -175,7 +175,7 @@ fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks) -> Vec<KnownPoint> 
             })
             .collect();
         let (point, rms) = triangulate(&cameras, &observations)?;
-        (rms < NEAR_PX).then_some((point, here.at_px.map(f64::from)))
+        (rms < FITS_PX).then_some((point, here.at_px.map(f64::from)))
     };
     tracks.points.iter().filter_map(one).collect()
 }
@@ -192,7 +192,7 @@ fn begun(
     for (k, a) in all.iter().enumerate() {
         for b in &all[k + 1..] {
             let both = common(tracks, *a, *b).len();
-            if both >= 3 * LEAST {
+            if both >= 3 * LEAST_FEATURES {
                 pairs.push((both, *a, *b));
             }
         }

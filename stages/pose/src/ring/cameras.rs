@@ -9,7 +9,7 @@ use crate::calibration::prior::knows_focal;
 use crate::calibration::trust::{misfits, nudged, view, warnings};
 use crate::frame::circle::{camera_circle, in_ring_frame};
 use crate::ring::error::TracksError;
-use crate::ring::pairs::LEAST;
+use crate::ring::pairs::LEAST_FEATURES;
 use crate::ring::trial::RING_MM;
 use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
 use stage::message;
@@ -97,12 +97,12 @@ pub(crate) fn to_cameras(
     })
 }
 
-/// An error where more than a quarter of the cameras hold on to fewer than [`LEAST`] features.
+/// An error where more than a quarter of the cameras hold on to fewer than [`LEAST_FEATURES`] features.
 fn seen_by_features(cameras: &Cameras) -> Result<(), TracksError> {
     let few = cameras
         .views
         .values()
-        .filter(|v| (v.points as usize) < LEAST);
+        .filter(|v| (v.points as usize) < LEAST_FEATURES);
     let adrift: Vec<&str> = few.map(|v| v.name.as_str()).collect();
     let of = cameras.views.values().count();
     if 4 * adrift.len() <= of {
@@ -111,7 +111,7 @@ fn seen_by_features(cameras: &Cameras) -> Result<(), TracksError> {
     Err(TracksError::Adrift {
         few: adrift.len(),
         of,
-        least: LEAST as u32,
+        least: LEAST_FEATURES as u32,
         names: adrift[..adrift.len().min(5)].join(", "),
     })
 }

@@ -4,11 +4,11 @@ use crate::ring::start::Pair;
 use nalgebra::Vector2;
 use shape::{Observation, Tracks};
 
-/// How far apart in the turn photos are compared.
-const REACH: usize = 3;
-/// Fewest features that hold a camera, or that a pair of photos has in common.
-pub(crate) const LEAST: usize = 12;
-/// Features that move less than this belong to what does not turn. \[px\]
+/// How far apart in the turn photos are compared. By hand: not on record.
+const PHOTOS_APART: usize = 3;
+/// Fewest features that hold a camera, or that a pair of photos has in common. By hand: not on record.
+pub(crate) const LEAST_FEATURES: usize = 12;
+/// Features that move less than this belong to what does not turn. By hand: not on record. \[px\]
 const STILL_PX: f64 = 1.0;
 
 /// The pairs of photos with enough in common, pixels from the photo's middle; the turn may close.
@@ -24,7 +24,7 @@ pub(crate) fn pairs(tracks: &Tracks, photos: usize, middle: [f64; 2]) -> Vec<Pai
                 let (i, j) = (a.photo.0.min(b.photo.0), a.photo.0.max(b.photo.0));
                 let (i, j) = (i as usize, j as usize);
                 let gap = j - i;
-                if j >= photos || gap == 0 || gap.min(photos - gap) > REACH {
+                if j >= photos || gap == 0 || gap.min(photos - gap) > PHOTOS_APART {
                     continue;
                 }
                 let (first, second) = if a.photo <= b.photo { (a, b) } else { (b, a) };
@@ -37,7 +37,7 @@ pub(crate) fn pairs(tracks: &Tracks, photos: usize, middle: [f64; 2]) -> Vec<Pai
     }
     seen.into_iter()
         .enumerate()
-        .filter(|(_, seen)| seen.len() >= LEAST)
+        .filter(|(_, seen)| seen.len() >= LEAST_FEATURES)
         .map(|(at, seen)| Pair {
             from: at / photos,
             to: at % photos,

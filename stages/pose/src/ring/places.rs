@@ -12,14 +12,14 @@ stage::messages! {
     WRONG_PLACE = "warn-wrong-place": "{after} comes before {before} in the turn, not behind it: put the photos into turning order";
 }
 
-/// Changes by so many steps are tried.
-const MOVES: [i32; 6] = [-3, -2, -1, 1, 2, 3];
-/// A change must lower the error of the pairs that it touches by this share.
-const GAIN: f64 = 0.25;
-/// And by this much a pair of features. \[px\]
+/// Changes by so many steps are tried (structural: the width of a search, a cap on work).
+const MOVED_STEPS: [i32; 6] = [-3, -2, -1, 1, 2, 3];
+/// A change must lower the error of the pairs that it touches by this share. By hand: not on record.
+const GAIN_SHARE: f64 = 0.25;
+/// And by this much a pair of features. By hand: not on record. \[px\]
 const GAIN_PX: f64 = 0.5;
-/// Fewest features that determine a photo's place.
-const LEAST: usize = 25;
+/// Fewest features that determine a photo's place. By hand: not on record.
+const LEAST_FEATURES: usize = 25;
 
 /// The place of each photo in the turn, in steps, and the start with those angles.
 pub(crate) fn placed(pairs: &[Pair], start: &Start) -> (Start, Vec<i32>) {
@@ -70,7 +70,10 @@ fn changes(places: &[i32]) -> Vec<Vec<i32>> {
     let photos = places.len();
     let mut all = Vec::new();
     for photo in 0..photos {
-        for (by, last) in MOVES.iter().flat_map(|by| [(by, photo + 1), (by, photos)]) {
+        for (by, last) in MOVED_STEPS
+            .iter()
+            .flat_map(|by| [(by, photo + 1), (by, photos)])
+        {
             let mut moved = places.to_vec();
             moved[photo..last].iter_mut().for_each(|p| *p += by);
             all.push(moved);
@@ -102,7 +105,8 @@ fn gain(
         count += pair.seen.len();
     }
     let gain = before - after;
-    let worth = count >= LEAST && gain > GAIN * before && gain > GAIN_PX * count as f64;
+    let worth =
+        count >= LEAST_FEATURES && gain > GAIN_SHARE * before && gain > GAIN_PX * count as f64;
     worth.then_some(gain)
 }
 

@@ -22,8 +22,9 @@ stage::messages! {
     SWAYED = "warn-swayed": "the subject moved against the disk (free cameras would follow it): lens and steps are those of EXIF and capture.toml, and the standard deviations of the cameras are unknown";
 }
 
-/// Photos are taken for shifted where features are nearer by this factor once that is taken out (by hand).
-const STEADIER: f64 = 0.95;
+/// Photos are taken for shifted where features are nearer by this factor once that is taken out. By hand: not on
+/// record.
+const STEADIER_FACTOR: f64 = 0.95;
 
 /// A turn that explains a few features, before all of them are adjusted.
 struct Beginning {
@@ -52,7 +53,9 @@ pub(crate) fn calibrate(
         Trusted::begun(&scene, &ids, &tracks, &beliefs, p)
     });
     let (mut trusted, steady) = match brought {
-        Some(brought) if brought.median_px() < STEADIER * lying.median_px() => (brought, steady),
+        Some(brought) if brought.median_px() < STEADIER_FACTOR * lying.median_px() => {
+            (brought, steady)
+        }
         _ => (lying, None),
     };
     let free = match p.motion {

@@ -4,22 +4,22 @@
 use rayon::prelude::*;
 use shape::{ByPhoto, Cameras, Gray, Photo, Photos, Placed, Tracks, registered};
 
-/// Size to which photos are reduced before they are laid on each other (by hand). \[px\]
-const LONGEST: u32 = 1200;
+/// Size to which photos are reduced before they are laid on each other. By hand: not on record. \[px\]
+const LONGEST_PX: u32 = 1200;
 /// Longest way of a corner that a stabiliser goes, as a share of a photo's longer side: what went further is a camera
-/// that was moved (by hand).
-const FAR: f64 = 0.005;
+/// that was moved. By hand: not on record.
+const FARTHEST_SHARE: f64 = 0.005;
 
 /// How photos of a turn map to the place that they have in common. `None` where all are there, or the background does not show it:
 /// photos that share too little with it, or cannot be read.
 pub(crate) fn places(photos: &Photos) -> Option<ByPhoto<Placed>> {
     let first = photos.photos.first()?;
-    let by = first.width.max(first.height).div_ceil(LONGEST).max(1) as usize;
+    let by = first.width.max(first.height).div_ceil(LONGEST_PX).max(1) as usize;
     let small = |photo: &Photo| Some(photo.decode().ok()?.gray().reduced(by));
     let smalls: Vec<Gray> = photos.photos.par_iter().map(small).collect::<Option<_>>()?;
     let placed: Vec<Placed> = registered(&smalls).0.into_iter().collect::<Option<_>>()?;
     let [w, h] = [smalls[0].width, smalls[0].height];
-    let far = |p: &Placed| p.way(w, h) > FAR * w.max(h) as f64;
+    let far = |p: &Placed| p.way(w, h) > FARTHEST_SHARE * w.max(h) as f64;
     if placed.iter().all(Placed::is_identity) || placed.iter().any(far) {
         return None;
     }

@@ -48,7 +48,7 @@ pub struct Known {
     pub step: Option<f64>,
 }
 
-/// Sampson errors beyond this count as this. \[px\]
+/// Sampson errors beyond this count as this. By hand: not on record. \[px\]
 const CAP_PX: f64 = 8.0;
 
 /// The point of the axis nearest to the optical axis, at depth one.

@@ -10,8 +10,9 @@ use crate::ring::trial::{filled, spread_px};
 use crate::two_view::triangulate::triangulated;
 use shape::{PhotoId, Tracks};
 
-/// The loss is for features that scatter as they are believed to; no less of it is left for surer ones (by hand).
-const LEAST_LOSS: f64 = 0.05;
+/// The loss is for features that scatter as they are believed to; no less of it is left for surer ones. By hand: not on
+/// record.
+const LEAST_LOSS_SHARE: f64 = 0.05;
 
 /// A scene that holds on to features.
 pub(crate) struct Trusted {
@@ -78,7 +79,7 @@ fn fitting(
     let spread = spread_px(&seen);
     let sigma_px = spread.max(p.feature_px);
     let how = Settings {
-        loss: p.loss * (spread / sigma_px).max(LEAST_LOSS),
+        loss: p.loss * (spread / sigma_px).max(LEAST_LOSS_SHARE),
         ..settings(p)
     };
     (filled(scene, &seen, sigma_px), sigma_px, how)

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix2, Vector2};
 use shape::{Gray, Image};
 
-/// How far to both sides of an edge to look, as a share of the shorter side.
-const REACH: f64 = 0.09;
+/// How far to both sides of an edge to look, as a share of the shorter side. By hand: not on record.
+const REACH_SHARE: f64 = 0.09;
 
 /// Light that an edge rises by at least, of what the photo can show: white paper in the shade of the feet is 80 of
 /// 255, which is less than a tenth. Chosen with the sample in view, not fitted.
@@ -19,7 +19,7 @@ pub fn refined(gray: &Gray, corners: [[f64; 2]; 4]) -> [[f64; 2]; 4] {
     let at: [Vector2<f64>; 4] = corners.map(Vector2::from);
     let sides: Vec<f64> = (0..4).map(|i| (at[(i + 1) % 4] - at[i]).norm()).collect();
     let shortest = sides.iter().copied().fold(f64::MAX, f64::min);
-    let reach = (shortest * REACH).clamp(1.5, 6.0);
+    let reach = (shortest * REACH_SHARE).clamp(1.5, 6.0);
     let light = Light::around(gray, &at, reach + 1.5);
     let lines: Vec<Option<Line>> = (0..4)
         .map(|i| line(&light, at[i], at[(i + 1) % 4], reach))

@@ -110,19 +110,19 @@ fn spread<T: Copy>(all: Vec<T>, most: usize) -> Vec<T> {
     }
 }
 
-/// So many photos are glanced at where no tags are given.
-const GLANCED: usize = 3;
-/// What is found at a glance need not be found exactly: photos are reduced by this.
-const GLANCE: f64 = 2.0;
+/// So many photos are glanced at where no tags are given (structural: a cap on work).
+const GLANCED_PHOTOS: usize = 3;
+/// What is found at a glance need not be found exactly: photos are reduced by this. By hand: not on record.
+const GLANCE_REDUCED: f64 = 2.0;
 
 /// Whether tags show on some photos, spread over the turn: three of one photo are no chance.
 fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<bool, Stop> {
     let quick = TagsParams {
-        decimate: p.decimate.max(GLANCE),
+        decimate: p.decimate.max(GLANCE_REDUCED),
         correct_bits: 0,
         most: 0,
     };
-    let some = spread(all.to_vec(), GLANCED)
+    let some = spread(all.to_vec(), GLANCED_PHOTOS)
         .into_iter()
         .map(|(_, photo)| photo);
     let count = |photo: &Photo| -> Result<usize, Stop> {

@@ -16,16 +16,16 @@ pub struct BackgroundShift {
     pub of: Vec<bool>,
 }
 
-/// Matches of the background are this near to where the background went. \[px\]
-const NEAR_PX: f64 = 4.0;
-/// Fewest matches that make a background.
-const LEAST: usize = 40;
-/// Share of the matches that belong to the background, at least.
-const SHARE: f64 = 0.5;
-/// Most that a nudge turns the camera. \[rad\]
-const TURN: f64 = 0.15;
-/// Four fifths of the background reach over so much of the photo, both ways.
-const SPREAD: f64 = 0.5;
+/// Matches of the background are this near to where the background went. By hand: not on record. \[px\]
+const WITH_BACKGROUND_PX: f64 = 4.0;
+/// Fewest matches that make a background. By hand: not on record.
+const LEAST_MATCHES: usize = 40;
+/// Share of the matches that belong to the background, at least: more than anything else has (derived: a half).
+const LEAST_SHARE: f64 = 0.5;
+/// Most that a nudge turns the camera. By hand: not on record. \[rad\]
+const MOST_TURN_RAD: f64 = 0.15;
+/// Four fifths of the background reach over so much of the photo, both ways. By hand: not on record.
+const SPREAD_SHARE: f64 = 0.5;
 
 /// The shift of the background, from the pairs of pixels that are not where they were. `None` where no
 /// such share of them moved as one.
@@ -35,7 +35,7 @@ pub fn background_shift(
     rounds: usize,
     seed: u64,
 ) -> Option<BackgroundShift> {
-    if pairs.len() < LEAST {
+    if pairs.len() < LEAST_MATCHES {
         return None;
     }
     let (f, [cx, cy]) = (lens.focal[0], lens.centre);
@@ -43,7 +43,9 @@ pub fn background_shift(
     let all: Vec<[Vector3<f64>; 2]> = pairs.iter().map(|both| both.map(ray)).collect();
     let near = |r: &Rotation3<f64>, wide: f64| -> Vec<bool> {
         let off = |both: &[Vector3<f64>; 2]| (r * both[0] - both[1]).norm() * f;
-        all.iter().map(|both| off(both) < wide * NEAR_PX).collect()
+        all.iter()
+            .map(|both| off(both) < wide * WITH_BACKGROUND_PX)
+            .collect()
     };
     let count = |of: &[bool]| of.iter().filter(|of| **of).count();
     let mut state = seed;
@@ -59,7 +61,7 @@ pub fn background_shift(
         if (two[0][0] - two[1][0]).norm() * f < 50.0 {
             continue;
         }
-        let found = rotation(&two).filter(|r| r.angle() < TURN);
+        let found = rotation(&two).filter(|r| r.angle() < MOST_TURN_RAD);
         let own = found.map(|r| near(&r, 1.5)).unwrap_or_default();
         if count(&own) > count(&of) {
             of = own;
@@ -76,7 +78,9 @@ pub fn background_shift(
         .filter(|p| *p.1)
         .map(|p| p.0)
         .collect();
-    if background.len() < LEAST || (background.len() as f64) < SHARE * pairs.len() as f64 {
+    if background.len() < LEAST_MATCHES
+        || (background.len() as f64) < LEAST_SHARE * pairs.len() as f64
+    {
         return None;
     }
     let sorted = |mut all: Vec<f64>| {
@@ -85,7 +89,7 @@ pub fn background_shift(
     };
     let wide = |i: usize, size: u32| {
         let all = sorted(background.iter().map(|pair| pair[0][i]).collect());
-        all[all.len() * 9 / 10] - all[all.len() / 10] > SPREAD * f64::from(size)
+        all[all.len() * 9 / 10] - all[all.len() / 10] > SPREAD_SHARE * f64::from(size)
     };
     let moves = background
         .iter()

@@ -7,8 +7,8 @@ use crate::two_view::triangulate::triangulate;
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use shape::{Camera, Intrinsics, Pose};
 
-/// Least share of known points that a pose must explain.
-const SHARE: f64 = 0.3;
+/// Least share of known points that a pose must explain. By hand: not on record.
+const LEAST_SHARE: f64 = 0.3;
 
 /// A camera whose frame is the world's.
 pub(crate) fn at_origin() -> Pose {
@@ -92,7 +92,7 @@ pub(crate) fn resected(
         .map(|(_, start)| refined(lens, &start, known))
         .map(|pose| (agree(&pose, near_px), pose))
         .max_by_key(|(count, _)| *count)
-        .filter(|(count, _)| *count >= 12 && *count as f64 >= SHARE * known.len() as f64)
+        .filter(|(count, _)| *count >= 12 && *count as f64 >= LEAST_SHARE * known.len() as f64)
         .map(|(_, pose)| pose)
 }
 

@@ -10,8 +10,8 @@ pub(crate) struct Seen {
     pub(crate) rms_px: f64,
 }
 
-/// Least angle between rays that makes a point. \[rad\]
-const PARALLAX: f64 = 0.03;
+/// Least angle between rays that makes a point. By hand: not on record. \[rad\]
+const LEAST_PARALLAX_RAD: f64 = 0.03;
 
 /// The tracks whose points project within `most_px` of where they were seen.
 pub(crate) fn triangulated(
@@ -62,7 +62,7 @@ pub(crate) fn triangulate(
         .iter()
         .flat_map(|a| rays.iter().map(move |b| a.angle(b)))
         .fold(0.0, f64::max);
-    if widest < PARALLAX {
+    if widest < LEAST_PARALLAX_RAD {
         return None;
     }
     let mut point = Point3::from(normal.try_inverse()? * right);

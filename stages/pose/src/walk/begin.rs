@@ -8,12 +8,12 @@ use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Intrinsics, PhotoId};
 
-/// Fewest points of a beginning.
-const LEAST: usize = 30;
+/// Fewest points of a beginning. By hand: not on record.
+const LEAST_POINTS: usize = 30;
 /// How many pairs are looked at (structural: the width of a search).
 const PAIRS: usize = 40;
-/// Points seen at this angle are worth most. \[rad\]
-const WIDE: f64 = 0.15;
+/// Points seen at this angle are worth most. By hand: not on record. \[rad\]
+const WIDE_RAD: f64 = 0.15;
 
 /// The photos of a pair, and how many features they share.
 type Pair = (usize, PhotoId, PhotoId);
@@ -35,7 +35,7 @@ fn pairs(seen: &Seen) -> Vec<Pair> {
         (shared[at], PhotoId(a as u32), PhotoId(b as u32))
     };
     let mut all: Vec<Pair> = (0..shared.len())
-        .filter(|at| shared[*at] >= LEAST)
+        .filter(|at| shared[*at] >= LEAST_POINTS)
         .map(pair)
         .collect();
     all.sort_by_key(|(count, a, b)| (std::cmp::Reverse(*count), *a, *b));
@@ -107,6 +107,6 @@ fn tried(
         (rms < near_px).then(|| (centres[0] - at).angle(&(centres[1] - at)))
     };
     let angles: Vec<f64> = both.iter().filter_map(angle).collect();
-    let worth = angles.iter().map(|a| (a / WIDE).min(1.0)).sum::<f64>();
-    (angles.len() >= LEAST && 2 * angles.len() >= both.len()).then_some((worth, model))
+    let worth = angles.iter().map(|a| (a / WIDE_RAD).min(1.0)).sum::<f64>();
+    (angles.len() >= LEAST_POINTS && 2 * angles.len() >= both.len()).then_some((worth, model))
 }

@@ -2,14 +2,15 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// How far the floor may be from level as the photos have it. \[rad\]
-const TILT: f64 = 0.12;
-/// How thick a floor is, as a share of the cameras' distance.
-const THICK: f64 = 0.01;
-/// Least share of the points near the subject that are on the floor, and of those under it at most.
-const SHARE: [f64; 2] = [0.08, 0.03];
-/// Fewest points of a floor.
-const FEW: usize = 50;
+/// How far the floor may be from level as the photos have it. By hand: not on record. \[rad\]
+const MOST_TILT_RAD: f64 = 0.12;
+/// How thick a floor is, as a share of the cameras' distance. By hand: not on record.
+const THICK_SHARE: f64 = 0.01;
+/// Least share of the points near the subject that are on the floor, and of those under it at most. By hand: not on
+/// record.
+const SHARES: [f64; 2] = [0.08, 0.03];
+/// Fewest points of a floor. By hand: not on record.
+const LEAST_POINTS: usize = 50;
 
 /// The lowest plane that is nearly level and holds many points within `reach` of the origin, as its
 /// normal and a point on it.
@@ -24,10 +25,10 @@ pub(crate) fn floor(
         .filter(|p| (**p - origin).norm() < reach)
         .copied()
         .collect();
-    if near.len() < 4 * FEW {
+    if near.len() < 4 * LEAST_POINTS {
         return None;
     }
-    let thick = THICK * reach;
+    let thick = THICK_SHARE * reach;
     let height = |p: &Point3<f64>, normal: &Vector3<f64>| (p - origin).dot(normal);
     let mut dice = 1u64;
     let mut draw = || {
@@ -44,7 +45,7 @@ pub(crate) fn floor(
         };
         normal *= normal.dot(up).signum();
         let at = height(&a, &normal);
-        if normal.angle(up) > TILT || at > 0.0 {
+        if normal.angle(up) > MOST_TILT_RAD || at > 0.0 {
             continue;
         }
         let on = near
@@ -75,6 +76,6 @@ pub(crate) fn floor(
         .filter(|p| height(p, &normal) < at - 2.0 * thick)
         .count();
     let share = |count: usize| count as f64 / near.len() as f64;
-    let holds = on >= FEW && share(on) >= SHARE[0] && share(under) <= SHARE[1];
-    (holds && normal.angle(up) <= TILT).then(|| (normal, origin + normal * at))
+    let holds = on >= LEAST_POINTS && share(on) >= SHARES[0] && share(under) <= SHARES[1];
+    (holds && normal.angle(up) <= MOST_TILT_RAD).then(|| (normal, origin + normal * at))
 }

@@ -33,8 +33,8 @@ pub(crate) struct Groups {
     pub(crate) factors: Vec<f64>,
 }
 
-/// Standard deviation of a focal length of which nothing is known, as a share.
-const UNKNOWN: f64 = 0.5;
+/// Standard deviation of a focal length of which nothing is known, as a share. By hand: not on record.
+const UNKNOWN_SIGMA: f64 = 0.5;
 
 /// How a photo is turned upright, mirrored ones as they are.
 fn turn(photo: &Photo) -> u8 {
@@ -130,7 +130,7 @@ impl Groups {
             let focal = match (given, by_film) {
                 (Some(px), _) => (px, widths.given_focal),
                 (_, Some(px)) => (px, widths.focal),
-                _ => (1.2 * longer, UNKNOWN),
+                _ => (1.2 * longer, UNKNOWN_SIGMA),
             };
             lens.focal = [focal.0; 2];
             let centre = rig.centre_px.filter(|_| like_first);

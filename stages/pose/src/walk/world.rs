@@ -17,11 +17,11 @@ pub struct World {
     pub radius: f64,
 }
 
-/// How strongly the photos' own upright counts against their horizontals: it decides only where
-/// horizontals leave it open.
-const OWN: f64 = 0.01;
-/// Axes whose spread is to this share along one direction point one way.
-const ONE_WAY: f64 = 0.9;
+/// How strongly the photos' own upright counts against their horizontals: it decides only where horizontals leave it
+/// open. By hand: not on record.
+const OWN_WEIGHT: f64 = 0.01;
+/// Axes whose spread is to this share along one direction point one way. By hand: not on record.
+const ONE_WAY_SHARE: f64 = 0.9;
 /// Rounds of reweighting (structural: a search's end).
 const ROUNDS: usize = 10;
 
@@ -91,7 +91,7 @@ fn axes(cameras: &[Camera], axis: Vector3<f64>) -> Vec<Vector3<f64>> {
 pub(crate) fn on_side(cameras: &[Camera]) -> bool {
     let one_way = |axis: Vector3<f64>| {
         let spread: Matrix3<f64> = axes(cameras, axis).iter().map(|a| a * a.transpose()).sum();
-        spread.symmetric_eigenvalues().max() > ONE_WAY * cameras.len() as f64
+        spread.symmetric_eigenvalues().max() > ONE_WAY_SHARE * cameras.len() as f64
     };
     one_way(Vector3::x()) && !one_way(Vector3::y())
 }
@@ -121,7 +121,7 @@ fn upward(cameras: &[Camera]) -> Option<Vector3<f64>> {
         for (x, w) in level.iter().zip(&weights) {
             normal += x * x.transpose() * *w;
         }
-        let own_weight = OWN * weights.iter().sum::<f64>();
+        let own_weight = OWN_WEIGHT * weights.iter().sum::<f64>();
         normal += Matrix3::identity() * own_weight;
         up = (normal.try_inverse()? * own * own_weight).try_normalize(1e-12)?;
         let off: Vec<f64> = level.iter().map(|x| x.dot(&up).abs()).collect();
