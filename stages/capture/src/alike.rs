@@ -54,10 +54,11 @@ pub(crate) fn not_one_turn(photos: &[Photo]) -> Vec<Message> {
     warnings
 }
 
-/// A pause between two turns is so much longer than that between photos, and at least so long. \[s\]
-const PAUSE: (f64, f64) = (6.0, 45.0);
-/// Fewer photos than this are no turn of their own.
-const TURN: usize = 8;
+/// A pause between two turns is so many times longer than that between photos, and at least so long. By hand: not on
+/// record. \[1, s\]
+const PAUSE_BEYOND: (f64, f64) = (6.0, 45.0);
+/// Fewer photos than this are no turn of their own: one every 45°. By hand: not on record.
+const LEAST_OF_A_TURN: usize = 8;
 
 /// Where the folder may hold two turns: a long pause with enough photos before and after it.
 fn two_turns(photos: &[Photo]) -> Option<Message> {
@@ -66,9 +67,9 @@ fn two_turns(photos: &[Photo]) -> Option<Message> {
     let usual = &shape::upper_median(&pauses)?;
     let at = pauses
         .iter()
-        .position(|pause| *pause > (PAUSE.0 * usual).max(PAUSE.1))?;
+        .position(|pause| *pause > (PAUSE_BEYOND.0 * usual).max(PAUSE_BEYOND.1))?;
     let (before, after) = (at + 1, photos.len() - at - 1);
-    (before.min(after) >= TURN).then(|| {
+    (before.min(after) >= LEAST_OF_A_TURN).then(|| {
         let [last, first] = [at, at + 1].map(|i| &photos[i].name);
         message!(
             TWO_TURNS,
@@ -90,15 +91,15 @@ fn out_of_order(photos: &[Photo]) -> Option<Message> {
     Some(message!(LATE, early = b, late = a))
 }
 
-/// Focal lengths that differ by more than this share are two.
-const ZOOM: f64 = 0.01;
+/// Focal lengths that differ by more than this share are two. By hand: not on record.
+const ZOOM_SHARE: f64 = 0.01;
 
 /// Photos that another camera took than most, or the same one zoomed otherwise, by EXIF.
 fn other_cameras(photos: &[Photo]) -> Vec<Message> {
     let devices: Vec<&str> = photos.iter().map(|p| p.device.as_str()).collect();
     let usual = most(&devices, |a, b| a == b);
     let focals: Vec<f64> = photos.iter().filter_map(|p| p.focal_35mm).collect();
-    let focal = most(&focals, |a, b| (a / b - 1.0).abs() < ZOOM);
+    let focal = most(&focals, |a, b| (a / b - 1.0).abs() < ZOOM_SHARE);
     let mut warnings = Vec::new();
     for photo in photos {
         let (name, device) = (&photo.name, photo.device.as_str());
@@ -113,7 +114,7 @@ fn other_cameras(photos: &[Photo]) -> Vec<Message> {
             ));
         }
         if let (Some(own), Some(focal)) = (photo.focal_35mm, focal)
-            && (own / focal - 1.0).abs() > ZOOM
+            && (own / focal - 1.0).abs() > ZOOM_SHARE
         {
             warnings.push(message!(ZOOMED, name = name, focal = own, usual = focal));
         }

@@ -15,21 +15,24 @@ stage::messages! {
     LEAVE_OUT = "find-empty-mend": "leave it out, or take it again";
 }
 
-/// Fewer photos are too far apart to compare.
-const LEAST: usize = 10;
-/// A pixel is unlike those of all other photos beyond this. \[levels\]
-const UNLIKE: f32 = 25.0;
-/// What does not move is as elsewhere within this. \[levels\]
-const ALIKE: f32 = 12.0;
+/// Fewer photos are too far apart to compare. By hand: not on record.
+const LEAST_PHOTOS: usize = 10;
+/// A pixel is unlike those of all other photos beyond this. By hand: not on record. \[levels\]
+const UNLIKE_LEVELS: f32 = 25.0;
+/// What does not move is as elsewhere within this. By hand: not on record. \[levels\]
+const ALIKE_LEVELS: f32 = 12.0;
 /// So much of the picture where nothing moves may not be alike: else the camera, the light or the background changed.
-const OTHERWISE: f64 = 0.05;
-/// So much of the middle of what moves is unlike all other photos, and more where photos are few: 0.06 to 0.18 for the empty
-/// scene in four made captures of 18 photos, 0.004 at most for any other photo of them (of 9: 0.08 to 0.22, and 0.026).
-const SHARE: (f64, f64) = (0.04, 0.6);
-/// And over so much of its height: 0.28 to 0.38, and 0.05 (of 9: 0.33 to 0.50, and 0.18).
-const HEIGHT: f64 = 0.2;
-/// The photo's brightness against the middle one: what is brighter is burnt, and looks different for that.
-const GAIN: (f64, f64) = (0.7, 1.12);
+/// By hand: not on record.
+const OTHERWISE_SHARE: f64 = 0.05;
+/// So much of the middle of what moves is unlike all other photos, and more where photos are few. By hand: looked at
+/// four made captures of 18 photos, where it is 0.06 to 0.18 for the empty scene and 0.004 at most for any other photo
+/// (of 9: 0.08 to 0.22, and 0.026).
+const UNLIKE_SHARE: (f64, f64) = (0.04, 0.6);
+/// And over so much of its height. By hand: looked at the same, 0.28 to 0.38, and 0.05 (of 9: 0.33 to 0.50, and 0.18).
+const UNLIKE_HEIGHT: f64 = 0.2;
+/// The photo's brightness against the middle one: what is brighter is burnt, and looks different for that. By hand: not
+/// on record.
+const GAINS: (f64, f64) = (0.7, 1.12);
 
 /// Finds the photos that do not show the subject.
 pub(crate) fn absent(seen: &Seen<'_>, findings: &mut Findings<'_>) {
@@ -46,7 +49,7 @@ pub(crate) fn absent(seen: &Seen<'_>, findings: &mut Findings<'_>) {
 /// The photos that do not show what all other photos show, by place.
 fn without_subject(all: &[Glance], together: &Together) -> Vec<usize> {
     let n = all.len();
-    if n < LEAST || !camera_is_fixed(together) {
+    if n < LEAST_PHOTOS || !camera_is_fixed(together) {
         return vec![];
     }
     let even: Vec<Vec<[f32; 3]>> = all
@@ -60,10 +63,10 @@ fn without_subject(all: &[Glance], together: &Together) -> Vec<usize> {
         })
         .collect();
     let area = Area::of(&together.still_pixels, all[0].small.width);
-    let share = SHARE.0.max(SHARE.1 / n as f64);
+    let share = UNLIKE_SHARE.0.max(UNLIKE_SHARE.1 / n as f64);
     let alone = |i: &usize| {
         let gain = together.gains[*i];
-        if gain < GAIN.0 || gain > GAIN.1 {
+        if gain < GAINS.0 || gain > GAINS.1 {
             return false;
         }
         let nearest = nearest(&even, *i, &area.moving);
@@ -73,13 +76,13 @@ fn without_subject(all: &[Glance], together: &Together) -> Vec<usize> {
             .zip(&nearest)
             .filter(|(within, _)| !**within);
         let (other, count) = outside.fold((0usize, 0usize), |(other, count), (_, d)| {
-            (other + usize::from(*d > ALIKE), count + 1)
+            (other + usize::from(*d > ALIKE_LEVELS), count + 1)
         });
-        let unlike: Vec<bool> = nearest.iter().map(|d| *d > UNLIKE).collect();
+        let unlike: Vec<bool> = nearest.iter().map(|d| *d > UNLIKE_LEVELS).collect();
         let (pixels, rows) = area.solid(&unlike);
         pixels as f64 >= share * area.middle as f64
-            && rows as f64 >= HEIGHT * area.rows as f64
-            && other as f64 <= OTHERWISE * count as f64
+            && rows as f64 >= UNLIKE_HEIGHT * area.rows as f64
+            && other as f64 <= OTHERWISE_SHARE * count as f64
     };
     (0..n).into_par_iter().filter(alone).collect()
 }

@@ -4,7 +4,8 @@ use exif::{In, Tag, Value};
 use std::io::Cursor;
 use std::ops::RangeInclusive;
 
-/// Focal lengths on film that a camera for people may have; some write 0 or 65 535 for "unknown". \[mm\]
+/// Focal lengths on film that a camera for people may have (structural: from beyond the widest to beyond the longest
+/// lens that shows a whole person within a house; some files have 0 or 65 535 for "unknown"). \[mm\]
 const FOCALS_MM: RangeInclusive<f64> = 10.0..=300.0;
 
 /// What was found; all of it may be missing.

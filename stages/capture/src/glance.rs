@@ -4,15 +4,16 @@ use shape::{Gray, Image, Rgb, largest_part, upper_median};
 
 /// Small pictures are about so many pixels across (structural: size of a small picture). \[px\]
 const ACROSS: usize = 96;
-/// A pixel that changes by less than this over the photos does not move. \[levels\]
-pub(crate) const STILL: f32 = 9.0;
-/// A row or column at the border is reached where so much of it moves.
-const REACHED: f64 = 0.04;
+/// A pixel that changes by less than this over the photos does not move. By hand: not on record. \[levels\]
+pub(crate) const STILL_LEVELS: f32 = 9.0;
+/// A row or column at the border is reached where so much of it moves. By hand: not on record.
+const REACHED_SHARE: f64 = 0.04;
 
 /// Light is about this power of what files hold (sRGB) (IEC 61966-2-1 of 1999).
 const GAMMA: f64 = 2.2;
-/// Fewer pixels that do not move give no exposure.
-const FIRM: usize = 60;
+/// Fewer pixels that do not move give no exposure (structural: a count of samples; the middle of 60 that differ by 5
+/// levels is sure to 0.8).
+const LEAST_FIRM_PIXELS: usize = 60;
 
 /// One photo at a glance.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,7 +109,7 @@ pub fn together(all: &[Glance]) -> Together {
         seen.sort_by(f32::total_cmp);
         // Each end may have one photo with something in the way.
         let cut = usize::from(seen.len() > 6);
-        seen[seen.len() - 1 - cut] - seen[cut] < STILL
+        seen[seen.len() - 1 - cut] - seen[cut] < STILL_LEVELS
     };
     let still: Vec<bool> = (0..pixels).map(steady).collect();
     let apart = |a: &[f32], b: &[f32]| {
@@ -119,7 +120,7 @@ pub fn together(all: &[Glance]) -> Together {
         sum / count.max(1) as f64
     };
     let firm: Vec<usize> = clear.into_iter().filter(|i| still[*i]).collect();
-    let exposure_ev = match firm.len() >= FIRM {
+    let exposure_ev = match firm.len() >= LEAST_FIRM_PIXELS {
         true => all
             .iter()
             .map(|g| GAMMA * libm::log2(gain(g, &firm)))
@@ -166,7 +167,7 @@ fn reached(still: &[bool], width: usize) -> [bool; 4] {
     });
     let moves = |places: Vec<usize>| {
         let moving = places.iter().filter(|i| moving.data[**i]).count();
-        moving as f64 > REACHED * places.len() as f64
+        moving as f64 > REACHED_SHARE * places.len() as f64
     };
     let row = |y: usize| (0..width).map(|x| y * width + x).collect::<Vec<_>>();
     let column = |x: usize| (0..height).map(|y| y * width + x).collect::<Vec<_>>();

@@ -1,6 +1,7 @@
 //! HEIC photos, as phones write them, become JPEG: what comes later reads JPEG, PNG and TIFF.
 
-/// Quality of the JPEG files that HEIC, raw photos and frames of a video become: 46.6 dB from the frame, on a made turn.
+/// Quality of the JPEG files that HEIC, raw photos and frames of a video become. By hand: looked at a made turn, where
+/// it is 46.6 dB from the frame.
 pub(crate) const QUALITY: u8 = 97;
 
 /// Whether a file is of the family of HEIC, by its head (ISO/IEC 23008-12): a box `ftyp` with such a brand.

@@ -14,16 +14,18 @@ stage::messages! {
 
 /// Pictures are looked at in squares of so many pixels across (structural: samples). \[px\]
 const SQUARE: usize = 16;
-/// Squares with a pixel at or beyond these hold less noise than there was. \[levels\]
-const CLIPPED: (u8, u8) = (2, 253);
-/// The noise is that of the square at this share of all, from the quietest on: the subject and its shadow cover less than the
-/// rest of them.
-const QUIET: f64 = 0.4;
+/// Squares with a pixel at or beyond these hold less noise than there was (structural: the ends of what a file holds,
+/// and two levels). \[levels\]
+const CLIPPED_LEVELS: (u8, u8) = (2, 253);
+/// The noise is that of the square at this share of all, from the quietest on: the subject and its shadow cover less
+/// than the rest of them (structural: any share that is still).
+const QUIET_SHARE: f64 = 0.4;
 /// So many photos, evenly over the turn, are looked at (structural: samples).
 const LOOKED_AT: usize = 6;
-/// Photos are noisy from here on (by hand). \[levels\] On the sample with noise added, girths of version 0.2.0 were right
-/// up to 3.1 levels; at 4.2 masks lost strips of a white shirt before a grey wall and waists were up to 3.9 % too small.
-const NOISY: f64 = 3.0;
+/// Photos are noisy from here on. \[levels\] By hand: looked at the sample with noise added: girths of version 0.2.0
+/// were right up to 3.1 levels; at 4.2 masks lost strips of a white shirt before a grey wall and waists were up to 3.9
+/// % too small.
+const NOISY_LEVELS: f64 = 3.0;
 
 /// What photos were compared with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -49,7 +51,7 @@ pub fn noise(a: &Rgb, b: &Rgb) -> Option<f64> {
     });
     let mut variances: Vec<f64> = squares.collect();
     variances.sort_by(f64::total_cmp);
-    let at = (QUIET * variances.len() as f64) as usize;
+    let at = (QUIET_SHARE * variances.len() as f64) as usize;
     // The difference of two has twice the variance of one.
     variances.get(at).map(|v| (v / 2.0).sqrt())
 }
@@ -60,7 +62,7 @@ fn square(a: &Rgb, b: &Rgb, [left, top]: [usize; 2]) -> Option<f64> {
     for (x, y) in (0..SQUARE * SQUARE).map(|k| (left + k % SQUARE, top + k / SQUARE)) {
         for (c, (one, other)) in a.at(x, y).into_iter().zip(b.at(x, y)).enumerate() {
             let (low, high) = (one.min(other), one.max(other));
-            if low <= CLIPPED.0 || high >= CLIPPED.1 {
+            if low <= CLIPPED_LEVELS.0 || high >= CLIPPED_LEVELS.1 {
                 return None;
             }
             let differs = i64::from(one) - i64::from(other);
@@ -102,7 +104,7 @@ pub(crate) fn of_photos(
 
 /// What is odd about so much noise.
 pub(crate) fn noisy(levels: f64) -> Option<Finding> {
-    (levels >= NOISY).then(|| Finding {
+    (levels >= NOISY_LEVELS).then(|| Finding {
         grade: Grade::Doubt,
         what: message!(NOISE, levels = levels),
         mend: message!(LESS_NOISE),

@@ -46,23 +46,24 @@ stage::messages! {
     TAGS_MEND = "find-tags-mend": "they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags";
 }
 
-/// Less than this of the picture does not move: nothing will come of it without a mat.
-const MOVED: f64 = 0.03;
-/// Photos are not in turning order where the middle one of all is so much more like one far away in order than
-/// like its neighbours: 0.70 shuffled, 1.05 to 1.8 in order, on seven captures.
-const SHUFFLED: f64 = 0.88;
-/// A photo is not where it belongs if the same is true of it: a body that is alike from two sides, or a mat, is not.
-const STRANGE: f64 = 0.65;
-/// Exposures are uneven that differ by more than this. \[EV\]
+/// Less than this of the picture does not move: nothing will come of it without a mat. By hand: not on record.
+const LEAST_STILL_SHARE: f64 = 0.03;
+/// Photos are not in turning order where the middle one of all is so much more like one far away in order than like its
+/// neighbours. By hand: looked at seven captures, 0.70 shuffled, 1.05 to 1.8 in order.
+const SHUFFLED_BELOW: f64 = 0.88;
+/// A photo is not where it belongs if the same is true of it: a body that is alike from two sides, or a mat, is not. By
+/// hand: not on record.
+const STRANGE_BELOW: f64 = 0.65;
+/// Exposures are uneven that differ by more than this. By hand: not on record. \[EV\]
 const UNEVEN_EV: f64 = 0.25;
-/// A photo is burnt, or drowned, by more than this share of it.
-const LOST: f64 = 0.1;
-/// A step is a gap, or none, where it is so many times the middle one.
-const STEPS: (f64, f64) = (0.2, 2.2);
-/// Photos of a full turn without a mat are at least so many.
-const FEW: usize = 12;
-/// Fewer pixels than these show little. \[px\]
-const SMALL: f64 = 0.7e6;
+/// A photo is burnt, or drowned, by more than this share of it. By hand: not on record.
+const LOST_SHARE: f64 = 0.1;
+/// A step is a gap, or none, where it is so many times the middle one. By hand: not on record.
+const STEP_FACTORS: (f64, f64) = (0.2, 2.2);
+/// Photos of a full turn without a mat are at least so many. By hand: not on record.
+const FEWEST_PHOTOS: usize = 12;
+/// Fewer pixels than these show little. By hand: not on record. \[px\]
+const LEAST_PIXELS: f64 = 0.7e6;
 
 /// What is odd about the pictures, the worst first.
 pub(crate) fn seen_in_pictures(seen: &Seen<'_>) -> Vec<Finding> {
@@ -94,7 +95,7 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let (together, count) = (seen.together, seen.photos.photos.len());
     let tagged = seen.photos.rig.tagged();
     if !camera_is_fixed(together) {
-        let grade = match together.still < MOVED && !tagged {
+        let grade = match together.still < LEAST_STILL_SHARE && !tagged {
             true => Grade::Hopeless,
             false => Grade::Doubt,
         };
@@ -106,7 +107,7 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         );
         return;
     }
-    if upper_median(&together.astray).is_some_and(|likeness| likeness < SHUFFLED) {
+    if upper_median(&together.astray).is_some_and(|likeness| likeness < SHUFFLED_BELOW) {
         let grade = if tagged {
             Grade::Doubt
         } else {
@@ -125,7 +126,7 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         return;
     }
     let strangers: Vec<usize> = (0..count)
-        .filter(|i| together.astray[*i] < STRANGE)
+        .filter(|i| together.astray[*i] < STRANGE_BELOW)
         .collect();
     if !strangers.is_empty() {
         findings.put(
@@ -142,11 +143,11 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
             .filter(|i| f(inner[*i] / usual.max(1e-9)))
             .collect()
     };
-    let same = of(&|r| r < STEPS.0);
+    let same = of(&|r| r < STEP_FACTORS.0);
     if !same.is_empty() {
         findings.put(Grade::Doubt, message!(SAME), message!(SAME_MEND), &same);
     }
-    let wide = of(&|r| r > STEPS.1);
+    let wide = of(&|r| r > STEP_FACTORS.1);
     if !wide.is_empty() {
         findings.put(Grade::Doubt, message!(GAP), message!(GAP_MEND), &wide);
     }
@@ -171,7 +172,7 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         (message!(BLACK), |g| g.black),
     ] {
         // A background that is white or black by design is in all of them.
-        let lost = places(&|i| share(&seen.glances[i]) > LOST);
+        let lost = places(&|i| share(&seen.glances[i]) > LOST_SHARE);
         if !lost.is_empty() && lost.len() < seen.glances.len() {
             findings.put(Grade::Doubt, what, message!(LOST_MEND), &lost);
         }
@@ -188,7 +189,7 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         );
     }
     let first = &seen.photos.photos[0];
-    if f64::from(first.width) * f64::from(first.height) < SMALL {
+    if f64::from(first.width) * f64::from(first.height) < LEAST_PIXELS {
         findings.put(
             Grade::Hint,
             message!(PIXELS, width = first.width, height = first.height),
@@ -216,7 +217,7 @@ fn frame(seen: &Seen<'_>, findings: &mut Findings<'_>) {
 fn facts(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let (rig, count) = (&seen.photos.rig, seen.photos.photos.len());
     mat(seen, findings);
-    if count < FEW && !rig.tagged() && rig.step.is_none() {
+    if count < FEWEST_PHOTOS && !rig.tagged() && rig.step.is_none() {
         findings.put(
             Grade::Doubt,
             message!(FEW_PHOTOS, count = count),

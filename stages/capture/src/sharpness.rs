@@ -2,22 +2,22 @@
 
 use shape::Rgb;
 
-/// Photos are looked at on about so many pixels across: finer is noise of the sensor. \[px\]
-const ACROSS: usize = 1000;
-/// So many photos to each side give how sharp one should be.
-const AROUND: usize = 3;
-/// A photo is blurred that is less sharp than this share of the middle one around it.
-const BLURRED: f64 = 0.45;
+/// Photos are looked at on about so many pixels across: finer is noise of the sensor. By hand: not on record. \[px\]
+const ACROSS_PX: usize = 1000;
+/// So many photos to each side give how sharp one should be. By hand: not on record.
+const AROUND_PHOTOS: usize = 3;
+/// A photo is blurred that is less sharp than this share of the middle one around it. By hand: not on record.
+const BLURRED_SHARE: f64 = 0.45;
 
 /// The places of blurred photos of a turn. Each is compared with those around it: a body shows more edges from one side
 /// than from another.
 pub(crate) fn blurred(sharp: &[f64]) -> Vec<usize> {
     let n = sharp.len();
     let around = |i: usize| {
-        let near = (0..n).filter(|j| i.abs_diff(*j).min(n - i.abs_diff(*j)) <= AROUND);
+        let near = (0..n).filter(|j| i.abs_diff(*j).min(n - i.abs_diff(*j)) <= AROUND_PHOTOS);
         shape::upper_median(near.map(|j| sharp[j])).unwrap_or_default()
     };
-    let is = |i: &usize| sharp[*i] < BLURRED * around(*i);
+    let is = |i: &usize| sharp[*i] < BLURRED_SHARE * around(*i);
     (0..n).filter(is).collect()
 }
 
@@ -26,7 +26,7 @@ pub(crate) fn blurred(sharp: &[f64]) -> Vec<usize> {
 ///
 /// Pech-Pacheco et al. 2000, "Diatom autofocusing in brightfield microscopy", made free of exposure.
 pub fn sharpness(photo: &Rgb) -> f64 {
-    let block = (photo.width / ACROSS).max(1);
+    let block = (photo.width / ACROSS_PX).max(1);
     let (w, h) = (photo.width / block, photo.height / block);
     let light = |x: usize, y: usize| -> f64 {
         let mut sum = 0u32;

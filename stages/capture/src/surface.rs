@@ -91,8 +91,9 @@ stage::failures! {
     }
 }
 
-/// Heights of bodies, from an infant to more than the tallest person. \[mm\]
-const HEIGHTS: std::ops::RangeInclusive<f64> = 200.0..=3000.0;
+/// Heights of bodies, from less than a newborn to more than the tallest man on record, Robert Wadlow with 2 720 (1940).
+/// \[mm\]
+const HEIGHTS_MM: std::ops::RangeInclusive<f64> = 200.0..=3000.0;
 
 /// `capture.surface`: files → mesh.
 pub struct Surface;
@@ -151,7 +152,7 @@ fn upright(read: Read, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> Result<M
         Err(fault) => return Err(SurfaceError::Fault(name.into(), fault.to_string())),
     }
     let high_mm = tall(&mesh);
-    if mesh.unit == shape::Unit::Metric && !HEIGHTS.contains(&high_mm) {
+    if mesh.unit == shape::Unit::Metric && !HEIGHTS_MM.contains(&high_mm) {
         let name = name.into();
         return Err(SurfaceError::Size {
             name,
@@ -204,7 +205,7 @@ fn oriented(
         Unit::Auto => {
             // What the file names holds where a body can be so high.
             let high = |n: &Unit| known.iter().find(|k| k.0 == *n).map(|k| k.1 * tall(mesh));
-            let fits = |n: &Unit| high(n).is_some_and(|mm| HEIGHTS.contains(&mm));
+            let fits = |n: &Unit| high(n).is_some_and(|mm| HEIGHTS_MM.contains(&mm));
             let seen = || unit(tall(mesh), &known).unwrap_or(Unit::Mm);
             named.filter(fits).unwrap_or_else(seen)
         }

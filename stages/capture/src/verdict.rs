@@ -93,12 +93,12 @@ pub(crate) struct Seen<'a> {
     pub(crate) tags: Option<&'a Tags>,
 }
 
-/// Less than this of the picture does not move: the camera was moved.
-const STILL: f64 = 0.12;
+/// Less than this of the picture does not move: the camera was moved. By hand: not on record.
+const STILL_SHARE: f64 = 0.12;
 
 /// Whether the camera did not move.
 pub(crate) fn camera_is_fixed(together: &Together) -> bool {
-    together.still >= STILL
+    together.still >= STILL_SHARE
 }
 
 /// Where centimetres will come from.

@@ -11,9 +11,9 @@ const TALLEST_MM: f64 = 2000.0;
 const SPAN: f64 = 1.2;
 /// Third centile of girls' length at birth (WHO 2006).
 const SMALLEST_MM: f64 = 456.0;
-/// A second piece with so much of the volume of the first is another body, or the other half of this one (by hand: eyes,
-/// teeth and specks of scans have less than a hundredth).
-const SECOND: f64 = 0.25;
+/// A second piece with so much of the volume of the first is another body, or the other half of this one. By hand:
+/// looked at eyes, teeth and specks of scans, which have less than a hundredth.
+const SECOND_SHARE: f64 = 0.25;
 
 /// Pieces of a surface, taken apart.
 pub(crate) struct Pieces {
@@ -39,7 +39,7 @@ pub(crate) fn pieces(mesh: &Mesh) -> Pieces {
     }
     let mut order: Vec<(u32, f64)> = volumes.into_iter().map(|(p, v)| (p, v.abs())).collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-    let second = matches!(order.as_slice(), [a, b, ..] if b.1 > SECOND * a.1);
+    let second = matches!(order.as_slice(), [a, b, ..] if b.1 > SECOND_SHARE * a.1);
     if order.len() < 2 {
         return Pieces {
             body: mesh.clone(),

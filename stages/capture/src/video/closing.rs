@@ -18,14 +18,14 @@ pub(crate) struct Closing {
     pub(crate) closed: bool,
 }
 
-/// A turn closes where frames differ by no more than this share of the way from one place's
-/// difference to the usual one.
-const CLOSES: f64 = 0.25;
-/// Of several such lengths the shortest that is about as good as the best: whole turns again are
-/// as good, half a turn of a body is not.
+/// A turn closes where frames differ by no more than this share of the way from one place's difference to the usual
+/// one. By hand: not on record.
+const CLOSES_SHARE: f64 = 0.25;
+/// Of several such lengths the shortest that is about as good as the best: so many times its difference, or so much
+/// more. Whole turns again are as good, half a turn of a body is not. By hand: not on record.
 const AS_GOOD: (f64, f64) = (1.5, 0.1);
-/// A turn is no shorter than this share of what was filmed.
-const SHORTEST: f64 = 0.1;
+/// A turn is no shorter than this share of what was filmed. By hand: not on record.
+const SHORTEST_SHARE: f64 = 0.1;
 
 impl Likeness {
     /// Holds frames against each other, at least three; by pixels that move.
@@ -77,12 +77,12 @@ impl Likeness {
             return open;
         }
         let excess = |p: usize| ((profile[p - 1] - floor) / height).max(0.0);
-        let least = ((SHORTEST * count as f64) as usize).max(2);
+        let least = ((SHORTEST_SHARE * count as f64) as usize).max(2);
         // Only behind frames that differ.
         let far = (1..count).find(|p| excess(*p) > 0.6).unwrap_or(count);
         let dip = |p: &usize| {
             let near = p.saturating_sub(3).max(1)..=(p + 3).min(count - 1);
-            excess(*p) <= CLOSES && near.into_iter().all(|q| excess(*p) <= excess(q))
+            excess(*p) <= CLOSES_SHARE && near.into_iter().all(|q| excess(*p) <= excess(q))
         };
         let dips: Vec<usize> = (least.max(far)..count).filter(dip).collect();
         let best = dips.iter().map(|p| excess(*p)).fold(f64::MAX, f64::min);

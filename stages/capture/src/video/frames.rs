@@ -20,8 +20,8 @@ stage::messages! {
 const LOOKED_AT: u32 = 960;
 /// More frames than these are no turn (structural: a limit of time, ten minutes of 60 frames a second).
 const MOST: usize = 40_000;
-/// A file is cut short that has less than this share of the frames that its head names.
-const WHOLE: f64 = 0.98;
+/// A file is cut short that has less than this share of the frames that its head names. By hand: not on record.
+const WHOLE_SHARE: f64 = 0.98;
 
 /// Who follows the work, and may end it.
 pub(crate) struct Watch<'a, E> {
@@ -108,7 +108,9 @@ pub(crate) fn looked_at<E: From<VideoError>>(
         }
         .into());
     }
-    let missing = clip.frames.filter(|f| (frames as f64) < WHOLE * *f as f64);
+    let missing = clip
+        .frames
+        .filter(|f| (frames as f64) < WHOLE_SHARE * *f as f64);
     let name = source.name;
     let wrong = match (missing, wrong) {
         (Some(promised), None) => Some(message!(

@@ -2,8 +2,9 @@
 
 use crate::sharpness::blurred;
 
-/// As sharp as the sharpest is what reaches this share of it: of those the one nearest to the step.
-const AS_SHARP: f64 = 0.95;
+/// As sharp as the sharpest is what reaches this share of it: of those the one nearest to the step. By hand: not on
+/// record.
+const AS_SHARP_SHARE: f64 = 0.95;
 
 /// What was picked.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -42,7 +43,9 @@ pub(crate) fn pick(come: &[Option<f64>], sharp: &[f64], steps: usize, window: f6
             near
         };
         let best = of.iter().map(|(f, _)| sharp[*f]).fold(0.0, f64::max);
-        let good = of.iter().filter(|(f, _)| sharp[*f] >= AS_SHARP * best);
+        let good = of
+            .iter()
+            .filter(|(f, _)| sharp[*f] >= AS_SHARP_SHARE * best);
         match good.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
             Some((frame, _)) => picked.frames.push(*frame),
             None => picked.empty.push(step),

@@ -1,15 +1,15 @@
 //! Where in a video something turns, and by how much from frame to frame, from small pictures of all frames.
 
-use crate::glance::STILL;
+use crate::glance::STILL_LEVELS;
 
 /// So many frames, spread over the video, show what moves (structural: samples).
 const SAMPLED: usize = 150;
-/// Where less changes than this share of the usual, nothing turns.
-const SLOW: f64 = 0.25;
-/// Changes by less than this, beyond those of what does not move, are noise. \[levels\]
-const NOISE: f64 = 0.3;
-/// A pause of less than this share of all frames is within a turn.
-const PAUSE: f64 = 0.15;
+/// Where less changes than this share of the usual, nothing turns. By hand: not on record.
+const SLOW_SHARE: f64 = 0.25;
+/// Changes by less than this, beyond those of what does not move, are noise. By hand: not on record. \[levels\]
+const NOISE_LEVELS: f64 = 0.3;
+/// A pause of less than this share of all frames is within a turn. By hand: not on record.
+const PAUSE_SHARE: f64 = 0.15;
 
 /// Brightness of all frames, brought to one exposure, and what is known of it.
 pub(crate) struct Motion {
@@ -69,7 +69,7 @@ pub(crate) fn motion(small: &[&[u8]]) -> Motion {
             let mut seen: Vec<f32> = sampled.clone().map(|f| frames[f][i]).collect();
             seen.sort_by(f32::total_cmp);
             let cut = usize::from(seen.len() > 6);
-            seen[seen.len() - 1 - cut] - seen[cut] > STILL
+            seen[seen.len() - 1 - cut] - seen[cut] > STILL_LEVELS
         })
         .collect();
     let change = change(&frames, &moves);
@@ -99,7 +99,7 @@ fn change(frames: &[Vec<f32>], moves: &[bool]) -> Vec<f64> {
             let from = i.saturating_sub(lag / 2).min(count - 1 - lag);
             let (a, b) = (&frames[from], &frames[from + lag]);
             let more = apart(a, b, true) - apart(a, b, false);
-            if more > NOISE { more } else { 0.0 }
+            if more > NOISE_LEVELS { more } else { 0.0 }
         })
         .collect()
 }
@@ -107,8 +107,11 @@ fn change(frames: &[Vec<f32>], moves: &[bool]) -> Vec<f64> {
 /// The frames, from first to last, in which something turns; none where nothing does.
 pub(crate) fn stretch(change: &[f64]) -> Option<std::ops::RangeInclusive<usize>> {
     let usual = &shape::upper_median(change.iter().filter(|s| **s > 0.0))?;
-    let turns: Vec<bool> = steady(change).iter().map(|s| *s > SLOW * usual).collect();
-    let pause = ((PAUSE * change.len() as f64) as usize).max(2);
+    let turns: Vec<bool> = steady(change)
+        .iter()
+        .map(|s| *s > SLOW_SHARE * usual)
+        .collect();
+    let pause = ((PAUSE_SHARE * change.len() as f64) as usize).max(2);
     // Runs with pauses within; the one in which most frames move.
     let mut runs: Vec<(usize, usize, usize)> = Vec::new();
     for i in (0..change.len()).filter(|i| turns[*i]) {

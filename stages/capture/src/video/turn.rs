@@ -5,9 +5,9 @@ use crate::video::speed::{Motion, stretch};
 
 /// So many frames, spread over what moves, are compared with each other (structural: samples).
 const MOST_COMPARED: usize = 240;
-/// A disk turns evenly whose speed, as pictures change, differs by less than this share (standard
-/// deviation): a body that turns evenly changes by 0.13 to 0.24 more or less as it shows its sides.
-const EVEN: f64 = 0.35;
+/// A disk turns evenly whose speed, as pictures change, differs by less than this share (standard deviation). By hand:
+/// looked at bodies that turn evenly, which change by 0.13 to 0.24 more or less as they show their sides.
+const UNEVEN_SHARE: f64 = 0.35;
 
 /// What was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,7 +82,7 @@ fn is_even(change: &[f64], times: &[f64]) -> bool {
     let count = speed.len() as f64;
     let mean = speed.iter().sum::<f64>() / count;
     let spread = (speed.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / count).sqrt();
-    spread <= EVEN * mean
+    spread <= UNEVEN_SHARE * mean
 }
 
 #[cfg(test)]
