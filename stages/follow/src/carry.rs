@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use shape::{Mesh, Plane};
 
-/// Vertices so near to the plane give how it moved. \[mm\]
+/// Vertices so near to the plane give how it moved. By hand: not on record. \[mm\]
 const NEAR_MM: f64 = 20.0;
 
 /// The plane on the moved twin of a mesh: the rigid motion (least squares, Umeyama 1991) of what is near to it

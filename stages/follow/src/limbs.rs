@@ -8,12 +8,13 @@ use shape::{Adjacency, Mesh};
 
 /// Points of a segment (structural: samples).
 const MOST: usize = 1500;
-/// Scales of weights for the trunk, and for limbs, which may be far off. \[mm\]
-const TRUNK: [f64; 4] = [12.0, 6.0, 4.0, 3.0];
-const LIMB: [f64; 7] = [60.0, 40.0, 25.0, 12.0, 6.0, 4.0, 3.0];
-/// How strongly a joint holds, as a share of all that a segment's points weigh.
-const HOLDS: f64 = 0.3;
-/// How wide motions go over into each other at a joint. \[mm\]
+/// Scales of weights for the trunk, from coarse to fine. By hand: not on record. \[mm\]
+const TRUNK_SCALES_MM: [f64; 4] = [12.0, 6.0, 4.0, 3.0];
+/// The same for limbs, which may be far off. By hand: not on record. \[mm\]
+const LIMB_SCALES_MM: [f64; 7] = [60.0, 40.0, 25.0, 12.0, 6.0, 4.0, 3.0];
+/// How strongly a joint keeps its place, as a share of all that a segment's points weigh. By hand: not on record.
+const JOINT_SHARE: f64 = 0.3;
+/// How wide motions go over into each other at a joint. By hand: not on record. \[mm\]
 const OVER_MM: f64 = 25.0;
 
 /// A surface in the pose of another.
@@ -32,14 +33,14 @@ pub fn posed(first: &Mesh, segments: &Segments, target: &Target<'_>, halves: Hal
     for (i, segment) in segments.all.iter().enumerate() {
         let own = samples(first, |v| segments.of[v] == i, MOST, halves);
         motions.push(match segment.hangs {
-            None => refined(&own, target, whole, &[], &TRUNK),
+            None => refined(&own, target, whole, &[], &TRUNK_SCALES_MM),
             Some((on, joint)) => {
                 let tie = Tie {
                     from: joint,
                     to: motions[on] * joint,
-                    share: HOLDS,
+                    share: JOINT_SHARE,
                 };
-                refined(&own, target, motions[on], &[tie], &LIMB)
+                refined(&own, target, motions[on], &[tie], &LIMB_SCALES_MM)
             }
         });
     }

@@ -49,13 +49,15 @@ const STARTS: u32 = 24;
 const FEW: usize = 400;
 /// Points of the last fit (structural: samples).
 const MOST: usize = 3000;
-/// Scales of weights, from coarse to fine, each for some rounds. \[mm\]
-const LOOK: [f64; 4] = [80.0, 60.0, 40.0, 30.0];
-const WHOLE: [f64; 6] = [40.0, 20.0, 10.0, 6.0, 4.0, 3.0];
+/// Scales of weights with which a place is looked for, from coarse to fine, each for some rounds. By hand: not on
+/// record. \[mm\]
+const LOOK_SCALES_MM: [f64; 4] = [80.0, 60.0, 40.0, 30.0];
+/// The same of the whole body, once its place is known. By hand: not on record. \[mm\]
+const WHOLE_SCALES_MM: [f64; 6] = [40.0, 20.0, 10.0, 6.0, 4.0, 3.0];
 /// Rounds of a scale (structural: a search's end).
 const ROUNDS: usize = 5;
-/// Least cosine between normals of points that may belong together.
-const ALIKE: f64 = 0.3;
+/// Least cosine between normals of points that may belong together. By hand: not on record.
+const LEAST_ALIKE: f64 = 0.3;
 
 impl<'a> Target<'a> {
     /// Of a valid mesh with at least one face.
@@ -109,7 +111,7 @@ fn pairs(
         let at = motion * s.at;
         let hit = target.tree.to(&at)?;
         let normal = target.mesh.area_vector(hit.face).try_normalize(0.0)?;
-        let alike = normal.dot(&(motion * s.normal)) > ALIKE;
+        let alike = normal.dot(&(motion * s.normal)) > LEAST_ALIKE;
         let off = normal.dot(&(hit.point - at));
         let share = 1.0 / (1.0 + (hit.distance / scale).powi(2));
         alike.then_some((at, normal, off, share * share, hit.distance))
@@ -209,12 +211,12 @@ pub fn rigid(first: &Mesh, target: &Target<'_>, halves: Halves) -> Isometry3<f64
         Isometry3::from_parts(Translation3::from(to.coords - turn * from.coords), turn)
     };
     let look = |i: u32| {
-        let found = refined(&few, target, start(i), &[], &LOOK);
-        (cost(&few, target, &found, LOOK[3]), found)
+        let found = refined(&few, target, start(i), &[], &LOOK_SCALES_MM);
+        (cost(&few, target, &found, LOOK_SCALES_MM[3]), found)
     };
     let all: Vec<(f64, Isometry3<f64>)> = (0..STARTS).map(look).collect();
     let best = all.into_iter().reduce(|a, b| if b.0 < a.0 { b } else { a });
     let (_, best) = best.expect("bug: nothing to begin with");
     let many = samples(first, |_| true, MOST, halves);
-    refined(&many, target, best, &[], &WHOLE)
+    refined(&many, target, best, &[], &WHOLE_SCALES_MM)
 }

@@ -13,11 +13,11 @@ pub const PARTS: [Part; 6] = [
     Part::LegRight,
 ];
 
-/// Where along a limb, as a share of its reach from the trunk, its second segment begins: elbow, knee. Where exactly matters
-/// little, for motions go over into each other there.
-const SECOND: f64 = 0.52;
-/// How wide about that the joint is looked for, as a share of the reach.
-const JOINT: f64 = 0.05;
+/// Where along a limb, as a share of its reach from the trunk, its second segment begins: elbow, knee. Where exactly
+/// matters little, for motions go over into each other there. By hand: not on record.
+const SECOND_SHARE: f64 = 0.52;
+/// How wide about that the joint is looked for, as a share of the reach. By hand: not on record.
+const JOINT_SHARE_WIDE: f64 = 0.05;
 
 /// One segment: which it hangs on, and where.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +80,9 @@ pub fn segments(mesh: &Mesh, parts: &[u8]) -> Segments {
         let far = |v: &u32| (mesh.point(*v) - joint).norm();
         let reach = own.iter().map(far).fold(0.0, f64::max);
         let share = |v: &u32| far(v) / reach.max(f64::MIN_POSITIVE);
-        let near = own.iter().filter(|v| (share(v) - SECOND).abs() < JOINT);
+        let near = own
+            .iter()
+            .filter(|v| (share(v) - SECOND_SHARE).abs() < JOINT_SHARE_WIDE);
         let near: Vec<Point3<f64>> = near.map(|v| mesh.point(*v)).collect();
         if let Some(second) = middle(&near) {
             let at = found.all.len();
@@ -88,7 +90,7 @@ pub fn segments(mesh: &Mesh, parts: &[u8]) -> Segments {
                 part,
                 hangs: Some((first, second)),
             });
-            let beyond = own.iter().filter(|v| share(v) > SECOND);
+            let beyond = own.iter().filter(|v| share(v) > SECOND_SHARE);
             beyond.for_each(|v| found.of[*v as usize] = at);
         }
     }

@@ -1,6 +1,6 @@
 //! The stage that carves the visual hull and gives its surface.
 
-use crate::contradicted::{CONTRADICTED, contradicted};
+use crate::contradicted::{CONTRADICTED_PERCENT, contradicted};
 use crate::field::{BRICK, Lattice, evaluate};
 use crate::left_out::left_out;
 use crate::silhouettes::{bounds, consensus};
@@ -203,7 +203,7 @@ fn warn_of_contradicted(names: &[&str], shares: &[f64], ctx: &Ctx<'_>) {
         .iter()
         .for_each(|w| ctx.metric("contradicted", *w, "%"));
     for (name, share) in names.iter().zip(shares) {
-        if *share >= CONTRADICTED {
+        if *share >= CONTRADICTED_PERCENT {
             ctx.warn(message!(CUTS_BODY, share = *share).of_what(*name));
         }
     }

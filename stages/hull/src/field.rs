@@ -57,8 +57,9 @@ impl Lattice {
 /// The corners of the bricks that were looked into: `SIDE`³ values each, x fastest; above 0 is solid.
 pub type Bricks = Vec<Option<Vec<f32>>>;
 
-/// How far a cube's corners are from its centre, in halves of its side. The distance to a silhouette's
-/// border shrinks slower than space does, but depth and lens distortion bend it a little.
+/// How far a cube's corners are from its centre, in halves of its side: √3 (derived), and a part more. The distance to
+/// a silhouette's border shrinks slower than space does, but depth and lens distortion bend it a little (structural: a
+/// larger one only looks into more blocks).
 const STEEP: f64 = 1.732_050_8 * 1.15;
 /// Cells along the side of a block, the smallest cube that is looked into or passed over (structural: speed alone).
 const BLOCK: usize = 4;

@@ -6,9 +6,10 @@ stage::messages! {
     PIECES = "warn-hull-pieces": "the hull is in pieces: only the largest was kept, and {left_out:.1 %} of the volume left out; look where the masks cut the body through";
     PARTS = "warn-hull-parts": "smaller parts left out: {count}, {left_out:.1 %} of the volume in all; if a part of the body is missing, look at the masks";
 }
-/// Other parts than the largest are warned of from this share of the volume on.
+/// Other parts than the largest are warned of from this share of the volume on. By hand: not on record.
 const WARNED_SHARE: f64 = 0.01;
-/// From this share on the body itself is in pieces (by hand: a leg is a sixth of a body, Dempster 1955).
+/// From this share on the body itself is in pieces. By hand: looked at a leg, which is a sixth of a body (Dempster
+/// 1955).
 const IN_PIECES_SHARE: f64 = 0.15;
 
 /// The warning of the parts that were left out, beside the one that was kept. \[mm³\]

@@ -8,8 +8,9 @@ use std::path::Path;
 
 /// Where nothing is known of the scene (structural: a colour). \[sRGB\]
 const UNKNOWN: [u8; 3] = [255, 0, 255];
-/// -ln p(pixel | some body): the evidence of a colour that the body has not. \[nats\]
-const ANY_BODY: f32 = 17.8;
+/// -ln p(pixel | some body): the evidence of a colour that the body has not (derived: 3 ln 256 + 1.2, as in
+/// `silhouette`). \[nats\]
+const ANY_BODY_NATS: f32 = 17.8;
 /// Evidence from which on a pixel's shade is full (structural: a scale of shades). \[nats\]
 const FULL: f32 = 12.0;
 
@@ -76,7 +77,11 @@ pub fn evidence_to_png(evidence: &Evidence, photos: &Photos) -> NamedFiles {
         let picture = Rgb {
             width: e.photo.width,
             height: e.photo.height,
-            data: e.log_odds(ANY_BODY).zip(&e.photo.data).map(pixel).collect(),
+            data: e
+                .log_odds(ANY_BODY_NATS)
+                .zip(&e.photo.data)
+                .map(pixel)
+                .collect(),
         };
         (named(photos, id, "png"), rgb_to_png(&picture))
     };

@@ -13,7 +13,7 @@ pub struct Distorted {
     px: f64,
 }
 
-/// Distortion of at most so much is left out. \[px\]
+/// Distortion of at most so much is left out. By hand: not on record. \[px\]
 const MOST_PX: f64 = 1.0;
 
 /// `_par.txt` of the Middlebury multi-view benchmark: how many cameras, then for each its image,

@@ -2,12 +2,12 @@
 
 use shape::Mask;
 
-/// A border that shows so much more body than this share of its length has cut it off.
-const CUT_OFF: f64 = 0.01;
-/// How far a mask's area may be off those of its neighbours and its opposite.
-const AREA: f64 = 0.12;
-/// A part beside the largest that is at least this share of the body.
-const PART: f64 = 0.01;
+/// A border that shows so much more body than this share of its length has cut it off. By hand: not on record.
+const CUT_OFF_SHARE: f64 = 0.01;
+/// How far a mask's area may be off those of its neighbours and its opposite. By hand: not on record.
+const AREA_SHARE: f64 = 0.12;
+/// A part beside the largest that is at least this share of the body. By hand: not on record.
+const PART_SHARE: f64 = 0.01;
 
 /// What is odd about each mask of a turn, in turning order, in a few words; nothing where all is well.
 ///
@@ -41,7 +41,7 @@ pub(crate) fn odd(masks: &[Option<&Mask>]) -> Vec<Vec<String>> {
         let off = |other: Option<f64>| other.filter(|o| *o > 1e-4).map(|o| area / o - 1.0);
         let off_by = [off(beside), off(across)].into_iter().flatten();
         let least = off_by.min_by(|a, b| a.abs().total_cmp(&b.abs()));
-        if let Some(off) = least.filter(|off| off.abs() > AREA && n > 5) {
+        if let Some(off) = least.filter(|off| off.abs() > AREA_SHARE && n > 5) {
             odd.push(format!("area {:+.0} %", off * 100.0));
         }
         odd
@@ -59,7 +59,7 @@ fn cut_off(mask: &Mask) -> Vec<String> {
         ("right", share((0..h).filter(|y| on(w - 1, *y)).count(), h)),
         ("top", share((0..w).filter(|x| on(*x, 0)).count(), w)),
     ];
-    let cut = sides.into_iter().filter(|s| s.1 > CUT_OFF);
+    let cut = sides.into_iter().filter(|s| s.1 > CUT_OFF_SHARE);
     cut.map(|(side, _)| format!("cut off {side}")).collect()
 }
 
@@ -84,7 +84,7 @@ fn parts(mask: &Mask) -> usize {
                 front.extend((x.max(1) - 1..(x + 2).min(w)).map(|u| v * w + u));
             }
         }
-        count += usize::from(size as f64 > PART * all as f64 && size > 0);
+        count += usize::from(size as f64 > PART_SHARE * all as f64 && size > 0);
     }
     count
 }

@@ -12,8 +12,8 @@ pub struct Disagreement {
     pub kept: f64,
 }
 
-/// How far the learned outline may be off: the mean error of its contour was 1 to 2 pixels on all captures that were
-/// looked at. \[pixels of the network\]
+/// How far the learned outline may be off. By hand: looked at the mean error of its contour, 1 to 2 pixels on all
+/// captures. \[pixels of the network\]
 const WIDTH_PX: usize = 2;
 
 /// From these log-odds on the network is sure, derived: 19 to 1 by its calibration in `models/person/calibrate.py`.

@@ -2,9 +2,10 @@
 
 use shape::{Crop, Found};
 
-/// From here on the network finds a person in its square.
+/// From here on the network finds a person in its square: as likely as not (derived: a chance of a half).
 const PRESENT: f32 = 0.5;
-/// Squares of one person share at least so much of their union: one may be a third of its side beside the other.
+/// Squares of one person share at least so much of their union: one may be a third of its side beside the other
+/// (derived: (1 − 1/3) / (1 + 1/3)).
 const ONE_PERSON: f32 = 0.5;
 
 /// Whether two squares are one person's.

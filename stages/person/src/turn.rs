@@ -3,9 +3,9 @@
 use crate::same::{alike, middle, overlap, present};
 use shape::{ByPhoto, Crop, Found, PhotoId};
 
-/// So many of the photos must show the same person. By hand, between what was looked at: on the live man and woman, three
-/// made bodies, the mannequin and a marble David all photos do, on a draped statue on a pedestal 15 of 25, on a squirrel
-/// 21 of 36, on a temple 1 of 16.
+/// So many of the photos must show the same person. By hand: looked at the live man and woman, three made bodies, the
+/// mannequin and a marble David, of which all photos do, a draped statue on a pedestal, 15 of 25, a squirrel, 21 of 36,
+/// and a temple, 1 of 16.
 const LEAST_SHARE: f64 = 0.75;
 /// Shoulders in [`Found::JOINTS`], structural.
 const SHOULDERS: [usize; 2] = [11, 12];

@@ -3,9 +3,10 @@
 use nalgebra::{Point2, Point3};
 use shape::{Camera, Landmarks, Mesh, Part, Rgb, Textured};
 
-/// Of the body's height, what is taken for the head where no neck was found: an infant's and more.
-const TOP: f64 = 0.3;
-/// What is so near the head belongs to it. \[mm\]
+/// Of the body's height, what is taken for the head where no neck was found: an infant's and more. By hand: not on
+/// record.
+const TOP_SHARE: f64 = 0.3;
+/// What is so near the head belongs to it. By hand: not on record. \[mm\]
 const MARGIN_MM: f64 = 15.0;
 /// What is painted over (structural: a colour).
 const GRAY: [u8; 3] = [128; 3];
@@ -27,7 +28,7 @@ pub(crate) fn head(body: &Mesh, landmarks: Option<&Landmarks>) -> Vec<Point3<f64
     let Some((lo, hi)) = body.bounds() else {
         return vec![];
     };
-    let low = hi.z - TOP * (hi.z - lo.z);
+    let low = hi.z - TOP_SHARE * (hi.z - lo.z);
     let points = all().map(|v| body.point(v));
     points.filter(|p| p.z >= low).collect()
 }

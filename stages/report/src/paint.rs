@@ -5,7 +5,7 @@ use shape::{Adjacency, Camera, Mask, Mesh, Rgb};
 
 /// Height of the pictures that give what hides what (structural: size of a picture). \[px\]
 const DEPTH_PX: u32 = 800;
-/// Views flatter than this (cosine) show nothing.
+/// Views flatter than this (cosine) show nothing. By hand: not on record.
 const FLATTEST: f64 = 0.2;
 /// How much straighter views count more: high, for means of many views are blurred.
 /// It is structural: how views are mixed in a picture.

@@ -7,8 +7,9 @@ use crate::ticks::ticks;
 use shape::{Girth, Girths};
 use std::fmt::Write;
 
-/// A girth that changes by more than this from one height to the next jumps.
-const JUMP: f64 = 0.06;
+/// A girth that changes by more than this from one height to the next jumps (structural: it decides how a line is drawn
+/// alone).
+const JUMP_SHARE: f64 = 0.06;
 
 /// An axis has no more ticks (structural: layout).
 const TICKS: usize = 7;
@@ -53,7 +54,7 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
     );
     for pair in pairs.windows(2) {
         let [(z0, g0), (z1, g1)] = [pair[0], pair[1]];
-        let class = match (g1 - g0).abs() > JUMP * g0 {
+        let class = match (g1 - g0).abs() > JUMP_SHARE * g0 {
             true => "curve jump",
             false => "curve",
         };

@@ -7,9 +7,9 @@ use rayon::prelude::*;
 /// About so many points of space are asked: a few thousand of them are in a body (structural: samples).
 const POINTS: f64 = 400_000.0;
 
-/// An outline that cuts away more than this share of what nearly all other photos show contradicts them (by hand: of whole turns,
-/// gaps that few photos see come to less than 0.05).
-const CUTS: f64 = 0.15;
+/// An outline that cuts away more than this share of what nearly all other photos show contradicts them. By hand:
+/// looked at whole turns, where gaps that few photos see come to less than 0.05.
+const CUTS_SHARE: f64 = 0.15;
 
 /// What outlines make of space, point by point.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +25,10 @@ pub struct Coherence {
 impl Coherence {
     /// The photos that contradict the other photos, each with the share that it cuts away.
     pub fn contradicting(&self) -> impl Iterator<Item = (PhotoId, f64)> {
-        self.cut.iter().copied().filter(|(_, cut)| *cut > CUTS)
+        self.cut
+            .iter()
+            .copied()
+            .filter(|(_, cut)| *cut > CUTS_SHARE)
     }
 }
 

@@ -3,7 +3,8 @@
 use crate::{Found, People, Photos};
 use nalgebra::Point2;
 
-/// So many of the network's pixels along an edge: its outline is right to one or two of them, so fewer may be chance.
+/// So many of the network's pixels along an edge. By hand: looked at its outline, which is right to one or two of them,
+/// so fewer may be chance.
 const ALONG_EDGE_PX: usize = 3;
 
 /// An edge of a photo.

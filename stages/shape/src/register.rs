@@ -13,35 +13,38 @@ const COARSEST: usize = 100;
 const STEPS: usize = 12;
 /// Steps below this are the last (structural: a search's end). \[px\]
 const SMALL: f64 = 0.002;
-/// Share of the pixels whose residuals give the noise: at least so many do not move.
-const QUIET: f64 = 0.4;
+/// Share of the pixels whose residuals give the noise: at least so many do not move (structural: any share of them that
+/// is still; its deviation is derived, for as large a share of a normal distribution is within 0.5244 of it).
+const QUIET_SHARE: f64 = 0.4;
 /// Tukey's bound in standard deviations (Beaton and Tukey 1974, for 95 % efficiency).
 const BOUND: f64 = 4.685;
-/// Least standard deviation of a pixel. \[levels\]
-const LEAST_NOISE: f64 = 0.3;
-/// A picture is not aligned to another where less than this share of the pixels has half their weight.
-const SHARED: f64 = 0.15;
-/// Longest way of a corner that is believed, as a share of the picture's longer side.
-const FAR: f64 = 0.05;
+/// Least standard deviation of a pixel: that of rounding, 1/√12 = 0.29 (derived). \[levels\]
+const LEAST_NOISE_LEVELS: f64 = 0.3;
+/// A picture is not aligned to another where less than this share of the pixels has half their weight. By hand: not on
+/// record.
+const SHARED_SHARE: f64 = 0.15;
+/// Longest way of a corner that is believed, as a share of the picture's longer side. By hand: not on record.
+const FARTHEST_SHARE: f64 = 0.05;
 
-/// Ways of corners below this are none: photos that are where they should be stay as they are. \[px\]
-const LEAST_WAY: f64 = 0.06;
+/// Ways of corners below this are none: photos that are where they should be stay as they are. By hand: not on record.
+/// \[px\]
+const LEAST_WAY_PX: f64 = 0.06;
 /// How a picture is aligned to another of its size. `None` where they share too little.
 pub fn register(picture: &Gray, other: &Gray) -> Option<Placed> {
     laid(&pyramid(picture), &pyramid(other), Placed::SAME).map(|p| or_unmoved(p, picture))
 }
 
-/// The placement, its shift and roll none where corners go less than [`LEAST_WAY`].
+/// The placement, its shift and roll none where corners go less than [`LEAST_WAY_PX`].
 pub(crate) fn or_unmoved(placed: Placed, picture: &Gray) -> Placed {
     let half = libm::hypot(picture.width as f64, picture.height as f64) / 2.0;
     let [dx, dy] = placed.shift;
     Placed {
-        shift: if libm::hypot(dx, dy) < LEAST_WAY {
+        shift: if libm::hypot(dx, dy) < LEAST_WAY_PX {
             [0.0; 2]
         } else {
             placed.shift
         },
-        roll: if placed.roll.abs() * half < LEAST_WAY {
+        roll: if placed.roll.abs() * half < LEAST_WAY_PX {
             0.0
         } else {
             placed.roll
@@ -100,7 +103,7 @@ pub(crate) fn laid(picture: &[Gray], other: &[Gray], first: Placed) -> Option<Pl
             let (better, step, share) = stepped(a, b, &placed)?;
             (placed, shared) = (better, share);
             let longest = a.width.max(a.height) as f64;
-            if placed.way(a.width, a.height) > FAR * longest {
+            if placed.way(a.width, a.height) > FARTHEST_SHARE * longest {
                 return None;
             }
             if step < SMALL {
@@ -111,7 +114,7 @@ pub(crate) fn laid(picture: &[Gray], other: &[Gray], first: Placed) -> Option<Pl
             placed = placed.enlarged(2.0);
         }
     }
-    (shared >= SHARED).then_some(placed)
+    (shared >= SHARED_SHARE).then_some(placed)
 }
 
 /// One step: the better place, how far a corner went \[px\], and the share of the pixels that give it.
@@ -135,10 +138,10 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
         residuals.push(seen - from.gain * f64::from(other.at(x, y)) - from.bias);
     }
     let mut far: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
-    let quiet = (far.len() as f64 * QUIET) as usize;
+    let quiet = (far.len() as f64 * QUIET_SHARE) as usize;
     let (_, quiet, _) = far.select_nth_unstable_by(quiet, f64::total_cmp);
     // Two fifths of a normal distribution are within 0.524 standard deviations.
-    let bound = BOUND * (*quiet / 0.5244).max(LEAST_NOISE);
+    let bound = BOUND * (*quiet / 0.5244).max(LEAST_NOISE_LEVELS);
     let middle = [(w as f64 - 1.0) / 2.0, (h as f64 - 1.0) / 2.0];
     let half = libm::hypot(middle[0], middle[1]);
     let (mut normal, mut right) = (SMatrix::<f64, 5, 5>::zeros(), SVector::<f64, 5>::zeros());

@@ -3,15 +3,16 @@
 use crate::{Camera, Gray, Image, Mask, signed_distance};
 use nalgebra::Point3;
 
-/// Of fewer photos one alone may see a wide gap, or carve a wide wedge, so nothing is reported: good masks of 18 photos
-/// thinned to every second come to 0.56 % of a mask.
+/// Of fewer photos one alone may see a wide gap, or carve a wide wedge, so nothing is reported. By hand: looked at good
+/// masks of 18 photos, which thinned to every second come to 0.56 % of a mask.
 pub const MIN_DISSENT_PHOTOS: usize = 12;
-/// Where a photo alone shows the background, it must do so this part of the margin beyond the body's border: gaps
-/// narrower than twice that (15 mm of an adult) are seen by one photo alone even between two round thighs, wider
-/// ones by its neighbours, 20° aside, too.
-const CORE: f32 = 3.0;
-/// How deep in all other photos a place must be, as a share of the body's height, for one photo to contradict them: every
-/// view carves a thin wedge that no other does. 1.2 % was chosen on good masks (those of man, woman, mannequin, blue background).
+/// Where a photo alone shows the background, it must do so this part of the margin beyond the body's border. By hand:
+/// looked at gaps narrower than twice that (15 mm of an adult), which are seen by one photo alone even between two
+/// round thighs, wider ones by its neighbours, 20° aside, too.
+const CORE_PART: f32 = 3.0;
+/// How deep in all other photos a place must be, as a share of the body's height, for one photo to contradict them:
+/// every view carves a thin wedge that no other does. By hand: looked at good masks (those of man, woman, mannequin,
+/// blue background).
 pub const DISSENT_DEPTH: f64 = 0.012;
 
 /// A silhouette as a distance field, and its camera at the field's size.
@@ -72,7 +73,7 @@ pub fn sole_dissent(views: &[Silhouette], x: &Point3<f64>) -> Option<usize> {
 /// The same where all but this one show it deeper than a margin, and this one so far beyond its body's border as no gap
 /// is that one photo alone sees. \[mm\]
 pub fn deep_dissent(views: &[Silhouette], x: &Point3<f64>, margin: f32) -> Option<usize> {
-    dissent(views, x, margin, margin / CORE)
+    dissent(views, x, margin, margin / CORE_PART)
 }
 
 /// The one view in which a point is farther out than `out`, where it is deeper than `deep` in all other views. \[mm\]

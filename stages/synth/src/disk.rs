@@ -6,8 +6,8 @@ use nalgebra::{Point3, Vector3};
 use shape::tag36h11::modules;
 use shape::{Mat, Rim};
 
-/// How much light paper gives back.
-const PAPER: f32 = 0.8;
+/// How much light paper gives back (structural: what is made).
+const PAPER_ALBEDO: f32 = 0.8;
 
 /// A disk: its top is z = 0, its axis is z. \[mm\]
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +71,7 @@ impl Disk {
             // The strip is as tall as a tag with a margin of an eighth at either side.
             if let Some(rim) = self.rim.filter(|rim| -hit.z < 1.25 * rim.tag_mm) {
                 let ink = in_rim_tag(&rim, libm::atan2(hit.y, hit.x), -hit.z);
-                return [if ink { 0.02 } else { PAPER }; 3];
+                return [if ink { 0.02 } else { PAPER_ALBEDO }; 3];
             }
             let at = hit.coords.map(|x| x as f32).into();
             let grain = octaves(at, 40.0, 5.0, (t * spread) as f32, self.seed + 21);
@@ -101,7 +101,11 @@ impl Disk {
             return [0, 1, 2]
                 .map(|c| (1.0 - gloss) * disk[c] * (1.0 + 0.3 * grain) + gloss * wall[c]);
         };
-        let ink = if in_tag(mat, x, y) { 0.02 } else { PAPER };
+        let ink = if in_tag(mat, x, y) {
+            0.02
+        } else {
+            PAPER_ALBEDO
+        };
         let inner = mat.ring_mm - 0.75 * mat.tag_mm;
         let size = (0.035 * self.radius) as f32;
         let cell = [

@@ -4,7 +4,7 @@ use crate::bounds::bounds;
 use nalgebra::{Point3, Vector3};
 use shape::{Furrow, Level, Solid, SolidPart};
 
-/// No value grows faster than this with distance.
+/// No value grows faster than this with distance (structural: a larger one only takes longer).
 pub(crate) const STEEP: f64 = 1.7;
 
 /// A solid, made ready to be asked often.

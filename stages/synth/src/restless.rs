@@ -7,15 +7,19 @@ use nalgebra::{Point3, Rotation3, Vector3};
 use shape::{Camera, Mesh, Pose};
 use std::f64::consts::TAU;
 
-/// Heights by which a body is parted, as shares of it: where the head begins and is one with the neck; where arms hang;
-/// where the chest breathes.
-const HEAD: [f64; 2] = [0.83, 0.87];
-const ARMS: [f64; 2] = [0.40, 0.80];
-const CHEST: [f64; 2] = [0.60, 0.80];
-/// How far from the middle arms begin, and are one with the trunk no more, as shares of height.
-const BESIDE: [f64; 2] = [0.12, 0.20];
-/// What the head moves, and what a breath lifts, against hands.
+/// Heights by which a body is parted, as shares of it: where the head begins and is one with the neck (structural: what
+/// is made).
+const HEAD_HEIGHTS: [f64; 2] = [0.83, 0.87];
+/// Where arms hang, as shares of height (structural: what is made).
+const ARM_HEIGHTS: [f64; 2] = [0.40, 0.80];
+/// Where the chest breathes, as shares of height (structural: what is made).
+const CHEST_HEIGHTS: [f64; 2] = [0.60, 0.80];
+/// How far from the middle arms begin, and are one with the trunk no more, as shares of height (structural: what is
+/// made).
+const ARMS_BESIDE: [f64; 2] = [0.12, 0.20];
+/// What the head moves against hands (structural: what is made).
 const HEAD_SHARE: f64 = 0.5;
+/// What a breath lifts against hands (structural: what is made).
 const BREATH_SHARE: f64 = 0.25;
 
 /// Where shoulders are, aside and up, as shares of height (ANSUR II: biacromial breadth 0.23, acromial height 0.82).
@@ -114,7 +118,7 @@ impl Live {
             if !(SHORTS[0]..SHORTS[2]).contains(&height) || aside == 0.0 {
                 continue;
             }
-            let near = risen([SHORTS[1], SHORTS[2]], height) + risen(BESIDE, beside.abs());
+            let near = risen([SHORTS[1], SHORTS[2]], height) + risen(ARMS_BESIDE, beside.abs());
             let around = libm::atan2(y - middle.y, x - middle.x);
             let fold = 1.0 + FOLDS.0 * libm::sin(FOLDS.1 * around + turned);
             let off = self.worn_mm * (1.0 - near).max(0.0) * fold / aside;
@@ -145,19 +149,20 @@ impl Live {
         for p in &mut moved.positions {
             let [x, y, z] = p.map(f64::from);
             let (height, beside) = ((z - lo.z) / tall, (x - middle.x) / tall);
-            let hanging = 1.0 - risen(ARMS, height);
-            let arm = risen(BESIDE, beside.abs()) * hanging;
+            let hanging = 1.0 - risen(ARM_HEIGHTS, height);
+            let arm = risen(ARMS_BESIDE, beside.abs()) * hanging;
             let (by, foot) = if beside > 0.0 { left } else { right };
             let leg = leg(height);
-            let on_head = risen(HEAD, height);
-            let bump = libm::sin(std::f64::consts::PI * clamped(CHEST, height));
+            let on_head = risen(HEAD_HEIGHTS, height);
+            let bump = libm::sin(std::f64::consts::PI * clamped(CHEST_HEIGHTS, height));
             let front = clamped([0.0, 0.08], (middle.y - y) / tall) * (1.0 - arm);
             let at = [
                 x + arm * by[0] + on_head * head[0] + leg * foot[0],
                 y + arm * by[1] + on_head * head[1] - bump * front * breath + leg * foot[1],
             ];
             (p[0], p[1]) = (at[0] as f32, at[1] as f32);
-            let raised = self.arms_rad * risen(BESIDE, beside.abs()) * risen(BELOW_HANDS, height);
+            let raised =
+                self.arms_rad * risen(ARMS_BESIDE, beside.abs()) * risen(BELOW_HANDS, height);
             if raised != 0.0 {
                 let (s, c) = libm::sincos(beside.signum() * raised);
                 let aside = middle.x + beside.signum() * SHOULDERS[0] * tall;

@@ -18,10 +18,12 @@ const PAIRS: [([usize; 2], [f64; 2]); 4] = [
     ([8, 7], [0.088, 0.0]),
     ([8, 0], [0.044, -0.06]),
 ];
-/// How far a joint is from there, one standard deviation as a share of the height; by hand, of what was seen on three made bodies.
-const OFF: f64 = 0.03;
-/// How far a body turns from photo to photo, one standard deviation: 20°, by hand, for photos at 10° to 45°. \[rad\]
-const STEP: f64 = TAU / 18.0;
+/// How far a joint is from there, one standard deviation as a share of the height. By hand: looked at three made
+/// bodies.
+const OFF_SIGMA: f64 = 0.03;
+/// How far a body turns from photo to photo, one standard deviation: 20°. By hand: looked at photos at 10° to 45°.
+/// \[rad\]
+const STEP_SIGMA: f64 = TAU / 18.0;
 
 /// One photo's azimuth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +72,7 @@ pub fn azimuths(sights: &Sights, photos: usize, height: f64) -> Vec<Faces> {
 /// The path of least cost from one place around on, and what it costs. That the last photo is a step before the first costs
 /// little more where it is not (Cauchy): of more or less than a turn.
 fn path(costs: &[Vec<f64>], first: usize) -> (f64, Vec<usize>) {
-    let squares = |k: usize| (way(0, k) / STEP).powi(2) / 2.0;
+    let squares = |k: usize| (way(0, k) / STEP_SIGMA).powi(2) / 2.0;
     let steps: Vec<f64> = (0..AROUND).map(squares).collect();
     let step = |a: usize, b: usize| steps[(AROUND + b - a) % AROUND];
     let mut best = vec![f64::INFINITY; AROUND];
@@ -111,7 +113,7 @@ fn costs(sights: &Sights, photo: usize, height: f64, side: f64) -> Vec<f64> {
         let (s, c) = libm::sincos(k as f64 / AROUND as f64 * TAU);
         let miss = |(seen, [left, back]): &(f64, [f64; 2])| (seen - c * left + s * back).powi(2);
         let all: f64 = seen.iter().map(miss).sum();
-        2.0 * libm::log1p(all / (2.0 * OFF * OFF))
+        2.0 * libm::log1p(all / (2.0 * OFF_SIGMA * OFF_SIGMA))
     };
     (0..AROUND).map(cost).collect()
 }

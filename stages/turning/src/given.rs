@@ -42,5 +42,5 @@ stage::inputs! {
     }
 }
 
-/// Photos that are needed at least: one every 45°.
+/// Photos that are needed at least: one every 45°. By hand: not on record.
 pub(crate) const LEAST_PHOTOS: usize = 8;

@@ -7,16 +7,17 @@ use shape::Found;
 /// Where a joint is seen on the plane z = 1, by joint and photo.
 pub type Sights = Vec<Vec<Option<Vector2<f64>>>>;
 
-/// How far the body is expected beside its axis: somebody who turns on the spot wanders by some centimetres. One standard
-/// deviation, as a share of the distance to the camera (50 mm of 2.5 m).
-const WANDER: f64 = 0.02;
+/// How far the body is expected beside its axis: somebody who turns on the spot wanders by some centimetres. One
+/// standard deviation, as a share of the distance to the camera (50 mm of 2.5 m). By hand: not on record.
+const WANDER_SIGMA: f64 = 0.02;
 
-/// How far the trunk leans, one standard deviation, derived of [`WANDER`]: soles, 0.4 of the distance below the camera, are
+/// How far the trunk leans, one standard deviation, derived of [`WANDER_SIGMA`]: soles, 0.4 of the distance below the camera, are
 /// off by a fifth of it. \[rad\]
-const LEAN: f64 = WANDER / 2.0;
+const LEAN: f64 = WANDER_SIGMA / 2.0;
 
-/// How far one step of the turn differs from the next, one standard deviation: 17°, by hand, as of steps of 15 ± 8°. \[rad\]
-const UNEVEN: f64 = 0.3;
+/// How far one step of the turn differs from the next, one standard deviation: 17°. By hand: looked at steps of 15 ±
+/// 8°. \[rad\]
+const UNEVEN_SIGMA: f64 = 0.3;
 
 /// Places of shoulders and hips in [`Found::JOINTS`], structural.
 pub(crate) const TRUNK: [usize; 4] = [11, 12, 23, 24];
@@ -163,11 +164,15 @@ impl Articulated {
             let [a, b, c] = [three[0], three[1], three[2]].map(|s| s.azimuth);
             let at = |k: usize| PER_STEP * (i + k);
             let slopes = [(at(0), 1.0), (at(1), -2.0), (at(2), 1.0)];
-            to.add(&slopes, a - 2.0 * b + c, UNEVEN.powi(-2));
+            to.add(&slopes, a - 2.0 * b + c, UNEVEN_SIGMA.powi(-2));
         }
         for (i, step) in self.motion.steps.iter().enumerate() {
             for k in 0..2 {
-                to.add(&[(PER_STEP * i + 1 + k, 1.0)], step.off[k], WANDER.powi(-2));
+                to.add(
+                    &[(PER_STEP * i + 1 + k, 1.0)],
+                    step.off[k],
+                    WANDER_SIGMA.powi(-2),
+                );
                 to.add(&[(PER_STEP * i + 3 + k, 1.0)], step.lean[k], LEAN.powi(-2));
             }
         }
@@ -220,7 +225,7 @@ pub fn swap(sights: &mut Sights, photo: usize) {
 
 /// Cauchy's constant, for 95 % efficiency on normal errors (Holland and Welsch 1977).
 const CAUCHY: f64 = 2.385;
-/// Rounds in which joints settle.
+/// Rounds in which joints settle (structural: a search's end).
 const ROUNDS: usize = 60;
 
 /// The number in the middle; 0 of none.

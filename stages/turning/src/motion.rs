@@ -5,7 +5,7 @@ use crate::error::MotionError;
 use crate::given::{MotionInput, MotionParams};
 use crate::joints::{Articulated, Sights, TRUNK_SHARE, median, swap};
 use crate::read::{followed, lens, sights, without_hands};
-use crate::reported::{Found, MOST_OPEN, cameras, closed, verdict};
+use crate::reported::{Found, MOST_OPEN_RAD, cameras, closed, verdict};
 use crate::scene::{Motion, Step};
 use crate::together::{GoesOn, by_outlines};
 use shape::{Cameras, PhotoId, Photos};
@@ -41,7 +41,7 @@ impl Stage for FindMotion {
         // Outlines of half a turn can be had by many motions: joints tell that it is one.
         let faces: Vec<f64> = joints.motion.steps.iter().map(|s| s.azimuth).collect();
         let name = |i: usize| photos.get(ids[i]).map_or(String::new(), |p| p.name.clone());
-        closed(&faces, 1.5 * MOST_OPEN, name)?;
+        closed(&faces, 1.5 * MOST_OPEN_RAD, name)?;
         let mut found = match p.rounds {
             0 => Found::by_joints(joints.clone()),
             _ => {

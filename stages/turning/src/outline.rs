@@ -13,7 +13,7 @@ pub struct Outline {
     pub(crate) border: Vec<(Vector2<f64>, f64)>,
 }
 
-/// About so many points of each outline are asked.
+/// About so many points of each outline are asked (structural: samples).
 const POINTS: usize = 240;
 impl Outline {
     /// Of a mask at the size of its photo or smaller, and what a place on the plane z = 1 counts for.

@@ -5,7 +5,7 @@ use crate::scene::{Motion, PER_STEP, Step, looking};
 use nalgebra::{Matrix3, Vector2, Vector3};
 use shape::Pose;
 
-/// Places along a ray that are looked at first.
+/// Places along a ray that are looked at first (structural: samples).
 const ALONG: usize = 40;
 
 /// A point of an outline against all other outlines.
@@ -157,7 +157,7 @@ fn crossing(
     Some((best + t, shares))
 }
 
-/// How far places are nudged to see how a depth moves.
+/// How far places are nudged to see how a depth moves (structural: the step of a difference).
 const NUDGE: f64 = 5e-4;
 
 /// A ray's depth at a place, and how it moves with its own photo's step, those of the photos that bound it, and the pitch.

@@ -56,16 +56,17 @@ pub(crate) fn lens(
     Ok((lens, unknown))
 }
 
-/// How far beyond the photo's border a joint is taken as the network guesses it, as a share of the photo's size: of a body
-/// that is cut off at the hips, hips are a guess that is worth more than none.
-const BEYOND: f64 = 0.25;
+/// How far beyond the photo's border a joint is taken as the network guesses it, as a share of the photo's size: of a
+/// body that is cut off at the hips, hips are a guess that is worth more than none. By hand: not on record.
+const BEYOND_SHARE: f64 = 0.25;
 
 /// All joints in the photo or little beyond its border, on the plane z = 1.
 pub(crate) fn sights(people: &People, ids: &[PhotoId], lens: &Intrinsics) -> Sights {
     let (w, h) = (f64::from(lens.width), f64::from(lens.height));
     let sight = |id: &PhotoId, joint: usize| {
         let [x, y] = people.subject(*id)?.joints[joint].at_px.map(f64::from);
-        let near = |at: f64, size: f64| at >= -BEYOND * size && at < (1.0 + BEYOND) * size;
+        let near =
+            |at: f64, size: f64| at >= -BEYOND_SHARE * size && at < (1.0 + BEYOND_SHARE) * size;
         let inside = near(x, w) && near(y, h);
         inside.then(|| lens.undistort(Point2::new(x, y)))
     };

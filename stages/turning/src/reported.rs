@@ -40,14 +40,15 @@ impl Found {
     }
 }
 
-/// Widest stretch of the turn without a photo: what girths by outlines may leave open, too. \[rad\]
-pub(crate) const MOST_OPEN: f64 = TAU / 6.0;
-/// Outlines may be so far apart, one standard deviation as a share of the body's height. By hand, between two scanned people
-/// whose outlines were cut out: 0.42 % where the azimuth came out 2.3° off and girths within 1 %, 0.77 % where it was 9° and
-/// a waist 16 % off; 0.1 % by true outlines.
-const MOST_LOOSE: f64 = 0.005;
-/// Turned back by more is reported. \[rad\]
-const LEAST_TURN_BACK: f64 = TAU / 12.0;
+/// Widest stretch of the turn without a photo: what girths by outlines may leave open, too. By hand: not on record.
+/// \[rad\]
+pub(crate) const MOST_OPEN_RAD: f64 = TAU / 6.0;
+/// Outlines may be so far apart, one standard deviation as a share of the body's height. By hand: looked at two scanned
+/// people whose outlines were cut out: 0.42 % where the azimuth came out 2.3° off and girths within 1 %, 0.77 % where
+/// it was 9° and a waist 16 % off; 0.1 % by true outlines.
+const MOST_LOOSE_SHARE: f64 = 0.005;
+/// Turned back by more is reported. By hand: not on record. \[rad\]
+const LEAST_TURN_BACK_RAD: f64 = TAU / 12.0;
 
 /// What is reported of a motion.
 pub(crate) struct Verdict {
@@ -82,12 +83,12 @@ pub(crate) fn verdict(
     let count = steps.len();
     let kept: Vec<usize> = (0..count).filter(|i| !cut || !odd.contains(i)).collect();
     let azimuths: Vec<f64> = kept.iter().map(|i| steps[*i].azimuth).collect();
-    let open = closed(&azimuths, MOST_OPEN, |i| name(kept[i]))?;
+    let open = closed(&azimuths, MOST_OPEN_RAD, |i| name(kept[i]))?;
     let loose = found.agreement.map(|a| a.spread / height(body));
-    if let Some(loose) = loose.filter(|loose| cut && *loose > MOST_LOOSE) {
+    if let Some(loose) = loose.filter(|loose| cut && *loose > MOST_LOOSE_SHARE) {
         return Err(MotionError::Loose {
             percent: 100.0 * loose,
-            most: 100.0 * MOST_LOOSE,
+            most: 100.0 * MOST_LOOSE_SHARE,
         });
     }
     let sure: Vec<f64> = (0..count)
@@ -104,7 +105,7 @@ pub(crate) fn verdict(
         let count = turned.abs() / TAU;
         warnings.push(message!(SEVERAL_TURNS, count = count));
     }
-    if back > LEAST_TURN_BACK {
+    if back > LEAST_TURN_BACK_RAD {
         warnings.push(message!(TURNED_BACK, by = back.to_degrees()));
     }
     if cut && !odd.is_empty() {
@@ -141,7 +142,7 @@ pub(crate) fn closed(
             before: name(before),
             after: name(after),
             degrees: open.to_degrees(),
-            most: MOST_OPEN.to_degrees(),
+            most: MOST_OPEN_RAD.to_degrees(),
         }),
         false => Ok(open),
     }
@@ -213,15 +214,16 @@ pub(crate) fn cameras(
     }
 }
 
-/// The stature of somebody who gives none: only rules of some centimetres go by it. \[mm\]
+/// The stature of somebody who gives none (structural: only rules of some centimetres go by it): 1 628 and 1 756 are
+/// the means of women and men (ANSUR II). \[mm\]
 const NOBODY_MM: f64 = 1700.0;
 /// Places of heels and toes in [`shape::Found::JOINTS`], structural.
 const FEET: std::ops::RangeInclusive<usize> = 29..=32;
 /// Shoulders of a standing body as a share of its height (ANSUR II: acromial height 0.82 of stature).
 const SHOULDERS: f64 = 0.82;
-/// How far below the network's heels and toes soles may be, as a share of the height: by hand, 17 mm of an adult, twice what
-/// was seen on made bodies.
-const SOLES: f64 = 0.01;
+/// How far below the network's heels and toes soles may be, as a share of the height: 17 mm of an adult. By hand:
+/// looked at made bodies, where it is half of that.
+const SOLES_SHARE: f64 = 0.01;
 
 /// The height of the floor: a little below heels and toes; by the shoulders where no feet are in the picture.
 /// \[distance to the axis\]
@@ -230,7 +232,7 @@ fn floor(body: &Articulated, sights: &Sights) -> f64 {
     let seen = FEET.filter(|j| 2 * sights[*j].iter().flatten().count() > body.motion.steps.len());
     let lowest = seen.map(|j| body.places[j].z).reduce(f64::min);
     let shoulders = (body.places[TRUNK[0]].z + body.places[TRUNK[1]].z) / 2.0;
-    lowest.map_or(shoulders - SHOULDERS * tall, |z| z - SOLES * tall)
+    lowest.map_or(shoulders - SHOULDERS * tall, |z| z - SOLES_SHARE * tall)
 }
 
 #[cfg(test)]

@@ -111,9 +111,10 @@ pub(crate) fn lax(round: u32) -> f64 {
     1.0 + 4.0 * libm::pow(0.7, f64::from(round))
 }
 
-/// Share of its own stiffness by which each unknown is damped.
+/// Share of its own stiffness by which each unknown is damped (structural: a guard against what nothing determines; it
+/// decides how fast a search ends, not where).
 const DAMPING: f64 = 1e-4;
-/// A round that moves everything by less has settled: 0.01°, 0.5 mm of 2.5 m.
+/// A round that moves everything by less has settled: 0.01°, 0.5 mm of 2.5 m (structural: a search's end).
 const SETTLED: f64 = 2e-4;
 
 /// A mask whose longest side is at most so long, each pixel the mean of those it covers.

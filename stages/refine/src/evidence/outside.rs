@@ -8,7 +8,7 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::Mesh;
 
-/// Farthest that a vertex is sent at once. \[px\]
+/// Farthest that a vertex is sent at once (structural: a step of a search; it goes on in the next round). \[px\]
 const FARTHEST_PX: f64 = 6.0;
 
 /// How far inward along its normal each vertex has to go until it is inside of all silhouettes but

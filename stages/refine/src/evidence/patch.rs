@@ -12,7 +12,7 @@ pub const LANES: usize = 8;
 /// Most points of a patch (structural: the length of arrays, whole lanes).
 pub const MOST_POINTS: usize = 128;
 
-/// Most pictures that are compared at a vertex.
+/// Most pictures that are compared at a vertex (structural: a cap on memory and work).
 pub const MOST_VIEWS: usize = 10;
 
 /// The points of a patch, in units of its spacing, and their weights, which sum to 1. Filled up to

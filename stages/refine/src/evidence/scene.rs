@@ -32,7 +32,7 @@ impl VisibilityRules {
     }
 }
 
-/// Pixels of a picture for one of its depth map. \[px\]
+/// Pixels of a picture for one of its depth map (structural: samples). \[px\]
 pub const DEPTH_STEP_PX: f64 = 2.0;
 
 /// A surface before its pictures.

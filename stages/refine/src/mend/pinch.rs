@@ -5,9 +5,9 @@ use crate::mend::repair::capped;
 use shape::{Adjacency, Mesh};
 use std::collections::BTreeSet;
 
-/// A lobe is as large, against the square of its neck's girth, as nothing that only bulges: half a ball
-/// has 0.16, a finger 1.3.
-const LOBE: f64 = 0.6;
+/// A lobe is as large, against the square of its neck's girth, as nothing that only bulges. By hand: looked at half a
+/// ball, 0.16, and a finger, 1.3.
+const LOBE_SHARE: f64 = 0.6;
 
 /// Finds necks of at most `edges` edges, with a lobe on either side, cuts them out and caps the holes; of
 /// each part the largest piece stays. Returns how many vertices belonged to necks.
@@ -120,7 +120,7 @@ fn parts_two_lobes(mesh: &Mesh, around: &Adjacency, path: &[u32]) -> bool {
         .iter()
         .map(|(a, b)| (mesh.point(*a) - mesh.point(*b)).norm())
         .sum();
-    let wanted = LOBE * girth * girth;
+    let wanted = LOBE_SHARE * girth * girth;
     let large = |left: bool| {
         let starts = steps
             .iter()

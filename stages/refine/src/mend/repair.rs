@@ -6,7 +6,7 @@ use crate::mend::crossing::crossings;
 use shape::{Adjacency, Mesh};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Rings of faces about what crosses that are cut out with it, at most.
+/// Rings of faces about what crosses that are cut out with it, at most (structural: a cap on work).
 const MOST_RINGS: usize = 6;
 
 /// Cuts crossing faces out with their surroundings and caps the holes, until nothing crosses or more of

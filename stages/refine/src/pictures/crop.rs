@@ -3,11 +3,11 @@
 use nalgebra::{Point2, Vector2};
 use shape::{Image, Intrinsics, Mask};
 
-/// What is kept around the silhouette, as a share of the photo's longer side: some 7 cm where a standing
-/// person fills the photo, more than a body sways.
-const AROUND: f64 = 0.04;
+/// What is kept around the silhouette, as a share of the photo's longer side (structural: a cap on memory): some 7 cm
+/// where a standing person fills the photo, more than a body sways.
+const AROUND_SHARE: f64 = 0.04;
 
-/// What is kept at least: four times what a contour is looked at beyond itself. \[px\]
+/// What is kept at least: four times what a contour is looked at beyond itself (structural: a cap on memory). \[px\]
 const LEAST_AROUND_PX: f64 = 32.0;
 
 /// A part of an image. \[px\]
@@ -39,7 +39,7 @@ impl Crop {
             let ray = from.undistort(Point2::new(p[0], p[1]));
             [0, 1].map(|i| to.centre[i] + to.focal[i] * ray[i])
         };
-        let margin = (AROUND * size[0].max(size[1]) as f64).max(LEAST_AROUND_PX);
+        let margin = (AROUND_SHARE * size[0].max(size[1]) as f64).max(LEAST_AROUND_PX);
         body.carried(seen).grown(margin, size)
     }
 

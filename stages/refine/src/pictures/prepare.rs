@@ -50,7 +50,8 @@ pub fn check(mesh: &Mesh) -> Result<(), RefineError> {
     Ok(())
 }
 
-/// A photo is never halved below so many pixels of its longer side: a coarser one shows no limb.
+/// A photo is never halved below so many pixels of its longer side: a coarser one shows no limb. By hand: not on
+/// record.
 const LEAST_PX: u32 = 500;
 
 /// How often a photo is halved: until it has at most `most_mpx` million pixels, then `level` times

@@ -39,10 +39,10 @@ pub(crate) fn grained(image: &mut Levels, sigma: f32, seed: u32, number: u32) {
     }
 }
 
-/// Half the side of the neighbourhood that is smoothed. \[px\]
-const REACH: i64 = 2;
-/// Standard deviation of its weights. \[px\]
-const WIDE: f32 = 1.5;
+/// Half the side of the neighbourhood that is smoothed (structural: what a made phone does). \[px\]
+const REACH_PX: i64 = 2;
+/// Standard deviation of its weights (structural: what a made phone does). \[px\]
+const WIDE_PX: f32 = 1.5;
 
 /// Smoothed over neighbours of a like colour (bilateral: Tomasi and Manduchi 1998).
 pub(crate) fn denoised(image: &Levels, like: f32) -> Levels {
@@ -52,12 +52,13 @@ pub(crate) fn denoised(image: &Levels, like: f32) -> Levels {
         for x in 0..w {
             let here = image.at(x as usize, y as usize);
             let (mut sum, mut total) = ([0.0f32; 3], 0.0f32);
-            for v in (y - REACH).max(0)..=(y + REACH).min(h - 1) {
-                for u in (x - REACH).max(0)..=(x + REACH).min(w - 1) {
+            for v in (y - REACH_PX).max(0)..=(y + REACH_PX).min(h - 1) {
+                for u in (x - REACH_PX).max(0)..=(x + REACH_PX).min(w - 1) {
                     let p = image.at(u as usize, v as usize);
                     let far = ((u - x) * (u - x) + (v - y) * (v - y)) as f32;
                     let off: f32 = (0..3).map(|c| (p[c] - here[c]) * (p[c] - here[c])).sum();
-                    let weight = libm::expf(-far / (2.0 * WIDE * WIDE) - off / (6.0 * like * like));
+                    let weight =
+                        libm::expf(-far / (2.0 * WIDE_PX * WIDE_PX) - off / (6.0 * like * like));
                     (0..3).for_each(|c| sum[c] += weight * p[c]);
                     total += weight;
                 }
