@@ -5,7 +5,8 @@ use nalgebra::{Point3, Vector3};
 use shape::{BodyFeatures, HipAt, Mesh, Plane};
 use std::ops::{Deref, DerefMut};
 
-/// How far below and above the crotch that shows the buttocks are looked for, as shares of stature.
+/// How far below and above the crotch that shows the buttocks are looked for, as shares of stature: of 6 068 people
+/// they are 0.005 below to 0.06 above it in 99 of 100, and no more than 0.017 below and 0.083 above (ANSUR II).
 const ABOUT_CROTCH: [f64; 2] = [0.01, 0.16];
 
 /// An upright body, cut into slices, and what they show.
@@ -103,7 +104,9 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
     };
     let mut body = Body::of(mesh, unread);
     body.legs_join = legs_join(&body);
-    body.crotch = body.legs_join.filter(|z| z - ground >= LEGS * stature);
+    body.crotch = body
+        .legs_join
+        .filter(|z| z - ground >= LEAST_LEGS * stature);
     body.whole = body.crotch.is_some();
     body.neck = neck(&body);
     if let Some((front, sure)) = facing(&body) {
@@ -115,8 +118,9 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
     Some(body)
 }
 
-/// Legs are at least so long, as a share of stature: less is a body that is cut off.
-const LEGS: f64 = 0.25;
+/// Legs are at least so long, as a share of stature: less is a body that is cut off. Of 6 068 people the shortest have
+/// 0.42, and the middle of the kneecap is at 0.24 to 0.32 (ANSUR II).
+const LEAST_LEGS: f64 = 0.25;
 
 /// Two rings of like size, the largest, are legs; they join where they become one.
 fn legs_join(body: &Body) -> Option<f64> {
@@ -163,8 +167,9 @@ fn neck(body: &Body) -> Option<f64> {
     None
 }
 
-/// Feet, or the head, and thighs must agree within this angle for the way a body faces to be sure. \[cos\]
-const AGREE: f64 = 0.5;
+/// Feet, or the head, and thighs must agree within this angle, 60°, for the way a body faces to be sure. By hand:
+/// looked at three scans, at 0.7 and 1.4 of it: no tape changes. \[cos\]
+const LEAST_AGREEMENT: f64 = 0.5;
 
 /// The way a body faces, and whether that is sure: across the line from thigh to thigh, to the side
 /// that whole feet point to, or else the head is carried to. Feet alone tell where legs are one; they are
@@ -181,11 +186,12 @@ fn facing(body: &Body) -> Option<(Vector3<f64>, bool)> {
     let along = across.dot(&side);
     let front = across * along.signum();
     let head_agrees = head.is_none_or(|h| h.dot(&front) > 0.0);
-    Some((front, along.abs() >= AGREE && head_agrees))
+    Some((front, along.abs() >= LEAST_AGREEMENT && head_agrees))
 }
 
-/// Heights of feet and of ankles, as shares of stature.
+/// Heights of feet, as shares of stature: below the malleolus, at 0.030 to 0.053 (ANSUR II).
 const TOES: (f64, f64) = (0.008, 0.025);
+/// Heights of ankles, as shares of stature: above the malleolus, at 0.030 to 0.053 (ANSUR II).
 const ANKLES: (f64, f64) = (0.06, 0.09);
 
 /// Whether two feet show: at all their heights two rings, the smaller at least half the larger.
@@ -238,16 +244,16 @@ fn feet(body: &Body) -> Option<Vector3<f64>> {
     ahead(mean(ANKLES)?, mean(TOES)?, 0.004 * body.stature)
 }
 
-/// How far the middle of the head is before that of the shoulders at least, as a share of stature. Of
-/// 710 made bodies it is 0.008 and more, 0.022 in the middle.
-const HEAD: f64 = 0.006;
+/// How far the middle of the head is before that of the shoulders at least, as a share of stature. By hand: looked at
+/// on 710 made bodies, where it is 0.008 and more, 0.022 in the middle.
+const HEAD_AHEAD: f64 = 0.006;
 
 /// A head is carried forward of the shoulders. `None` without a neck.
 fn head(body: &Body) -> Option<Vector3<f64>> {
     let shoulders = body.trunk(body.neck? - 0.06 * body.stature)?;
     let head = body.trunk(body.ground + 0.96 * body.stature)?;
     let (from, to) = (shoulders.centre.coords, head.centre.coords);
-    ahead(from, to, HEAD * body.stature)
+    ahead(from, to, HEAD_AHEAD * body.stature)
 }
 
 /// The horizontal direction from one place to another, unit. `None` where they are nearer than `least`.

@@ -36,15 +36,16 @@ pub struct Ground {
     pub word: Option<Message>,
 }
 
-/// Soles and a ground that is only given agree within this, as a share of the body's height.
-const AGREE: f64 = 0.012;
-/// A surface of feet on a mat or a disk ends within this of it, as a share of the body's
-/// height: nobody sees soles, and shadows beside them are cut off or taken in.
-const NEAR: f64 = 0.03;
-/// From a mat or a disk up to here feet may be lost, as a share of the body's height: ankles are seen.
-pub(crate) const LOST: f64 = 0.08;
-/// Standard deviation of a ground where the feet are lost, as a share of the body's height.
-const UNSEEN: f64 = 0.004;
+/// Soles and a ground that is only given agree within this, as a share of the body's height. By hand: not on record.
+const AGREEING_SHARE: f64 = 0.012;
+/// A surface of feet on a mat or a disk ends within this of it, as a share of the body's height: nobody sees soles, and
+/// shadows beside them are cut off or taken in. By hand: not on record.
+const END_SHARE: f64 = 0.03;
+/// From a mat or a disk up to here feet may be lost, as a share of the body's height: ankles are seen. The malleolus is
+/// at 0.030 to 0.053 (ANSUR II).
+pub(crate) const LOST_SHARE: f64 = 0.08;
+/// Standard deviation of a ground where the feet are lost, as a share of the body's height. By hand: not on record.
+const UNSEEN_SIGMA: f64 = 0.004;
 
 /// The ground of an upright body. Soles that the surface shows and a ground of the cameras are compared
 /// against each other; where they disagree and neither can be trusted, there is none.
@@ -73,20 +74,20 @@ pub fn ground(mesh: &Mesh, reported: Option<&GivenGround>) -> Result<Ground, Ref
     };
     let Some(found) = found else {
         return match reported.firm {
-            true => Ok(as_given(UNSEEN * tall, None)),
+            true => Ok(as_given(UNSEEN_SIGMA * tall, None)),
             false => Err(Refusal::NoGround),
         };
     };
     let off = found.height - reported.height_mm;
     match (reported.firm, found.sure) {
-        (true, _) if off.abs() <= NEAR * tall => Ok(as_given(0.0, None)),
+        (true, _) if off.abs() <= END_SHARE * tall => Ok(as_given(0.0, None)),
         (_, true) => {
-            let word = (off.abs() > AGREE * tall).then(|| apart(off, reported.unit));
+            let word = (off.abs() > AGREEING_SHARE * tall).then(|| apart(off, reported.unit));
             Ok(by_soles(&found, word))
         }
-        (false, false) if off.abs() <= AGREE * tall => Ok(as_given(found.sigma, None)),
-        (true, false) if (0.0..=LOST * tall).contains(&off) => Ok(as_given(
-            UNSEEN * tall,
+        (false, false) if off.abs() <= AGREEING_SHARE * tall => Ok(as_given(found.sigma, None)),
+        (true, false) if (0.0..=LOST_SHARE * tall).contains(&off) => Ok(as_given(
+            UNSEEN_SIGMA * tall,
             Some(message!(FEET_LOST, end = reported.unit.field(off))),
         )),
         _ => Err(Refusal::NoGround),

@@ -99,9 +99,9 @@ impl NeckFeatures {
     }
 }
 
-/// A throat less deep than this, as a share of the diameter, is none: hair, a hood or a collar fills it. Of
-/// made bodies the least is 0.35.
-const SHALLOW: f64 = 0.2;
+/// A throat less deep than this, as a share of the diameter, is none: hair, a hood or a collar fills it. By hand:
+/// looked at on made bodies, of which the least is 0.35.
+const LEAST_DEPTH: f64 = 0.2;
 
 /// Reads the neck. `None` without a tube that is narrower than head and shoulders, or without a throat
 /// under a chin.
@@ -110,7 +110,7 @@ pub fn neck_features(mesh: &Mesh, body: &Body) -> Option<NeckFeatures> {
     let narrowest = body.trunk(body.neck?)?;
     let tube = tube(mesh, narrowest, body.front, crown)?;
     let throat = throat(&tube)?;
-    let deep = throat.hollow.1 >= SHALLOW * tube.diameter();
+    let deep = throat.hollow.1 >= LEAST_DEPTH * tube.diameter();
     deep.then(|| NeckFeatures {
         head: crown - tube.origin.z,
         tube,

@@ -1,7 +1,7 @@
 //! A body on its ground: what every level hangs on, or why there is none.
 
 use crate::features::body::{Body, body};
-use crate::features::ground::{GivenGround, Ground, LOST, ground};
+use crate::features::ground::{GivenGround, Ground, LOST_SHARE, ground};
 use crate::features::upright::unfit;
 use shape::{Cameras, Mesh, Scale};
 use stage::Message;
@@ -51,7 +51,7 @@ pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standin
     let scale = cameras.map_or(Some(0.0), |c| c.scale_sigma);
     let crown = 0.5 * mesh.mean_edge();
     let below = found.as_ref().map_or(0.0, |g| g.sigma_mm);
-    let reaches = |g: &Ground| lowest - g.height_mm < LOST * body.stature;
+    let reaches = |g: &Ground| lowest - g.height_mm < LOST_SHARE * body.stature;
     let footing = Footing {
         reaches_ground: found.as_ref().is_ok_and(reaches),
         feet: found.as_ref().is_ok_and(|g| g.feet),

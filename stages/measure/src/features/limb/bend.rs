@@ -3,8 +3,9 @@
 use crate::features::limb::follow::Knot;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// A bend of so much is a joint: an elbow, a knee. \[rad\]
-pub(super) const BENT: f64 = 12.0 * std::f64::consts::PI / 180.0;
+/// A bend of so much is a joint: an elbow, a knee. By hand: looked at three scans, at 0.7 and 1.4 of it: tapes move by
+/// at most 0.85 and 0 %, intervals change by at most 10 and 0 %. \[rad\]
+pub(super) const BENT_RAD: f64 = 12.0 * std::f64::consts::PI / 180.0;
 
 /// A straight line through middles of sections.
 #[derive(Debug, Clone, Copy)]

@@ -61,11 +61,13 @@ const CELL: f64 = 1.0 / 160.0;
 const FACES: f64 = 1.0 / 40.0;
 /// Steps of the bands (structural: samples).
 const BAND: f64 = 0.005;
-/// Arms and legs reach out at least so far, as a share of stature.
-const ARM: f64 = 0.2;
-const LEG: f64 = 0.12;
-/// Feet are lower than this share of stature, hands higher.
-const LOW: f64 = 0.15;
+/// Arms reach out at least so far, as a share of stature: forearms with hands are 0.237 long at least (ANSUR II).
+const LEAST_ARM: f64 = 0.2;
+/// Legs reach out at least so far, as a share of stature: to below the knee, at 0.24 at least (ANSUR II).
+const LEAST_LEG: f64 = 0.12;
+/// Feet are lower than this share of stature, hands higher: the malleolus is at 0.053 at most, fingertips at 0.31 at
+/// least (ANSUR II).
+const LOW_SHARE: f64 = 0.15;
 
 /// Follows the limbs of a body. Where an arm's joints are is not known yet.
 pub fn limbs<'a>(mesh: &'a Mesh, body: &Body) -> Limbs<'a> {
@@ -85,13 +87,16 @@ pub fn limbs<'a>(mesh: &'a Mesh, body: &Body) -> Limbs<'a> {
         return found;
     };
     let way = graph.ways(crown as u32);
-    let all = tips(&graph, &way, LEG * stature);
+    let all = tips(&graph, &way, LEAST_LEG * stature);
     let high = |t: &&Tip| graph.at[t.node as usize].z - body.ground;
     let hands: Vec<&Tip> = all
         .iter()
-        .filter(|t| high(t) > LOW * stature && t.long > ARM * stature)
+        .filter(|t| high(t) > LOW_SHARE * stature && t.long > LEAST_ARM * stature)
         .collect();
-    let feet: Vec<&Tip> = all.iter().filter(|t| high(t) <= LOW * stature).collect();
+    let feet: Vec<&Tip> = all
+        .iter()
+        .filter(|t| high(t) <= LOW_SHARE * stature)
+        .collect();
     let out = |t: &Tip| {
         let middle = body
             .trunk(body.ground + 0.6 * stature)
