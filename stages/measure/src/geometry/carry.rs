@@ -62,10 +62,10 @@ pub struct Carried {
     pub share: f64,
 }
 
-/// How many seen rays beside a gap tell how much larger the section is than the clear one.
-const BESIDE: usize = 12;
-/// Rays next to a gap that are left out: they show the fold.
-const MARGIN: usize = 3;
+/// How many seen rays beside a gap tell how much larger the section is than the clear one. By hand: not on record.
+const BESIDE_RAYS: usize = 12;
+/// Rays next to a gap that are left out: they show the fold. By hand: not on record.
+const MARGIN_RAYS: usize = 3;
 
 /// Completes a section. `here` and `clear` are [`reaches`] about the same axis; where `hidden`, the
 /// clear one is carried over, larger by a factor: at the ends of the gap the section's own, in its middle
@@ -89,9 +89,9 @@ pub fn carried(
         return None;
     }
     let beside = |from: i64, way: i64| {
-        let near: Vec<f64> = (MARGIN as i64..n)
+        let near: Vec<f64> = (MARGIN_RAYS as i64..n)
             .filter_map(|d| ratio(from + way * d))
-            .take(BESIDE)
+            .take(BESIDE_RAYS)
             .collect();
         near.iter().sum::<f64>() / near.len() as f64
     };

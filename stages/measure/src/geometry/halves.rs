@@ -18,22 +18,24 @@ pub(crate) struct Half {
     pub(crate) sigma_mm: f64,
 }
 
-/// Legs that press each other share at most so much of a leg's tape (by hand): a wider cut goes through the trunk.
-const MOST_CUT: f64 = 0.25;
+/// Legs that press each other share at most so much of a leg's tape: a wider cut goes through the trunk. By hand: not
+/// on record.
+const WIDEST_CUT: f64 = 0.25;
 /// A fold is within this share of both legs' breadth from their middle (structural: the middle third).
 const MIDDLE: f64 = 1.0 / 6.0;
-/// Doubt of a half ring's tape, as a share of what is cut: legs press each other out of shape.
-const DOUBT: f64 = 0.06;
+/// Doubt of a half ring's tape, as a share of what is cut: legs press each other out of shape. By hand: not on record.
+const PRESSED_SIGMA: f64 = 0.06;
 
-/// The skin of a thigh's inner half is longer than a tape around that half by at most so much of the
-/// whole tape: more is a web between the thighs, which no photo looks into, and hangs on one of them.
-const WEB: f64 = 0.02;
+/// The skin of a thigh's inner half is longer than a tape around that half by at most so much of the whole tape: more
+/// is a web between the thighs, which no photo looks into, and hangs on one of them. By hand: looked at three scans, at
+/// 0.7 and 1.4 of it: no tape changes.
+const WEB_SHARE: f64 = 0.02;
 /// How much longer the skin of a thigh's inner half is than a tape around it, as a share of what is a web; 1 and more is one.
 pub(crate) fn webbed(ring: &Ring, side: &Vector3<f64>) -> f64 {
     let inner = |p: &&Point3<f64>| (*p - ring.centre).dot(side) < 0.0;
     let inner: Vec<Point3<f64>> = ring.curve.iter().filter(inner).copied().collect();
     let half = flat(&inner, &level(ring.centre.z));
-    (length(&half) - tape(&half)) / (WEB * ring.tape)
+    (length(&half) - tape(&half)) / (WEB_SHARE * ring.tape)
 }
 
 /// The half of a ring on a side. Folds of photos are filled, so where the skin leaves the outline for the line between both
@@ -98,11 +100,11 @@ fn rounded(outline: &[[f64; 2]], (a, b): ([f64; 2], [f64; 2])) -> Option<Half> {
     ];
     points.extend((first + 2..first + n).map(at));
     let tape = tape(&points);
-    (cut <= MOST_CUT * tape).then(|| Half {
+    (cut <= WIDEST_CUT * tape).then(|| Half {
         tape,
         share: cut / tape,
         // Equally likely anywhere: a twelfth of the square.
-        sigma_mm: libm::hypot(open / 12f64.sqrt(), DOUBT * cut),
+        sigma_mm: libm::hypot(open / 12f64.sqrt(), PRESSED_SIGMA * cut),
         points,
     })
 }

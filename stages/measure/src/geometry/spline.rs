@@ -174,12 +174,13 @@ fn from_piece(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     (p - (a + along * t.clamp(0.0, 1.0))).norm()
 }
 
-/// How far a spline may stay below the tape or go beyond the exact curve, as a share.
-const LEFT: f64 = 0.03;
+/// How far a spline may stay below the tape or go beyond the exact curve, as a share. By hand: not on record; it
+/// decides a note alone.
+const LEFT_SHARE: f64 = 0.03;
 
 /// Whether a spline has left the ring that it is drawn through.
 pub fn has_left(spline_mm: f64, tape_mm: f64, contour_mm: f64) -> bool {
-    spline_mm < (1.0 - LEFT) * tape_mm || spline_mm > (1.0 + LEFT) * contour_mm
+    spline_mm < (1.0 - LEFT_SHARE) * tape_mm || spline_mm > (1.0 + LEFT_SHARE) * contour_mm
 }
 
 #[cfg(test)]

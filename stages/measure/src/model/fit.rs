@@ -19,8 +19,8 @@ use super::fit_error::FitError;
 use super::law::Law;
 use super::level::Level;
 use super::line_up::{
-    GRAIN, LEAST, LineUp, READINGS, chi_square_99, like, line_up, pairwise, picked_bias, repeat,
-    rounded,
+    GRAIN_SIGMA, LEAST_BODIES, LineUp, READINGS, chi_square_99, like, line_up, pairwise,
+    picked_bias, repeat, rounded,
 };
 use super::normal::Normal;
 use super::samples::{ANATOMY, Made, Person, fitted};
@@ -116,7 +116,7 @@ fn of_made(made: &[&Made], people: &[&Person]) -> Normal {
     covariance[(waist, hip)] = covariance[(navel, navel)];
     covariance[(hip, waist)] = covariance[(navel, navel)];
     for k in 0..WIDTH {
-        covariance[(k, k)] += GRAIN * GRAIN;
+        covariance[(k, k)] += GRAIN_SIGMA * GRAIN_SIGMA;
     }
     Normal { mean, covariance }
 }
@@ -156,10 +156,10 @@ pub(crate) fn joint(people: &[&Person], made: &[&Made]) -> Result<LevelModel, Fi
         let few = FitError::Few {
             reading: name,
             rows: own.len(),
-            least: LEAST,
+            least: LEAST_BODIES,
         };
         let normal = of_people(&own, &lined_up)
-            .filter(|_| own.len() >= LEAST)
+            .filter(|_| own.len() >= LEAST_BODIES)
             .ok_or(few)?;
         let scaled = any_size(&normal);
         populations.push(population(name.into(), Scope::People, normal));
@@ -207,7 +207,7 @@ fn population(name: String, scope: Scope, normal: Normal) -> Population {
 fn unexpected(people: &[&Person], made: &[&Made]) -> Result<[f64; LEVELS], FitError> {
     let mut missed = Level::ALL.map(|_| Vec::new());
     for fold in left_out(people, made) {
-        let readable = like(&fold.people, &fold.made).len() >= LEAST;
+        let readable = like(&fold.people, &fold.made).len() >= LEAST_BODIES;
         if !fitted(fold.family) || !readable {
             continue;
         }

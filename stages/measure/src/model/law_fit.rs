@@ -3,7 +3,7 @@
 use super::fit_error::FitError;
 use super::held_out::{HeldOut, Miss, quantile, summary, tenth};
 use super::law::{Law, Place};
-use super::line_up::{LEAST, repeat, rounded};
+use super::line_up::{LEAST_BODIES, repeat, rounded};
 use super::normal::Normal;
 use super::samples::fitted;
 use super::table::{Table, TableError};
@@ -79,7 +79,7 @@ pub(crate) fn fit_law(law: Place, samples: &[&LawSample]) -> Result<Law, FitErro
     let mut missed = Vec::new();
     for family in families(&own) {
         let (out, rest): (Vec<_>, Vec<_>) = own.iter().partition(|s| s.family == family);
-        if rest.len() >= LEAST {
+        if rest.len() >= LEAST_BODIES {
             let without = of_one_family(law, &rest)?;
             missed.extend(out.iter().filter_map(|s| off(&without, s)));
         }
@@ -117,11 +117,11 @@ fn families<'a>(samples: &[&'a LawSample]) -> Vec<&'a str> {
 
 /// The law of samples as if all the rest were like them: sigma is what they scatter by.
 fn of_one_family(law: Place, own: &[&LawSample]) -> Result<Law, FitError> {
-    if own.len() < LEAST {
+    if own.len() < LEAST_BODIES {
         return Err(FitError::Few {
             reading: law.name(),
             rows: own.len(),
-            least: LEAST,
+            least: LEAST_BODIES,
         });
     }
     let n = law.features().len();

@@ -44,9 +44,9 @@ pub(crate) struct LineUp {
 const PICKED: [&str; 1] = ["cervicale"];
 /// Measures that mean the same on made bodies as in the survey.
 const SHARED: [&str; 3] = ["ln_stature", "crotch", "buttock"];
-/// What a made body's average build may differ from people's in picked measures, as a share of stature:
-/// 8 mm at 1700 mm.
-const BUILD: f64 = 0.0047;
+/// What a made body's average build may differ from people's in picked measures, as a share of stature: 8 mm at 1700
+/// mm. By hand: not on record.
+const BUILD_SIGMA: f64 = 0.0047;
 
 fn index(measure: &str) -> usize {
     ANATOMY
@@ -91,10 +91,11 @@ fn like_people(body: &Made, populations: &[Normal]) -> bool {
     nearest.is_some_and(|d| d <= chi_square_99(seen.len()))
 }
 
-/// Bodies that show a reading, at least, to line it up.
-pub(crate) const LEAST: usize = 30;
-/// Least standard deviation of a reading, as a share of stature: half a millimetre at 1700 mm.
-pub(crate) const GRAIN: f64 = 0.0003;
+/// Bodies that show a reading, at least, to line it up (structural: a count of samples; what fewer show is noise).
+pub(crate) const LEAST_BODIES: usize = 30;
+/// Least standard deviation of a reading, as a share of stature: half a millimetre at 1700 mm (derived: a survey's
+/// numbers are whole millimetres).
+pub(crate) const GRAIN_SIGMA: f64 = 0.0003;
 
 /// Lines readings up with measures on made bodies, by least squares.
 pub(crate) fn line_up(made: &[&Made], bias: &[(usize, f64)]) -> Result<LineUp, FitError> {
@@ -119,7 +120,7 @@ pub(crate) fn line_up(made: &[&Made], bias: &[(usize, f64)]) -> Result<LineUp, F
         };
         let rows: Vec<(Vec<f64>, f64)> = made.iter().filter_map(|m| row(m)).collect();
         // What too few bodies show is noise.
-        if rows.len() < LEAST {
+        if rows.len() < LEAST_BODIES {
             unknown.push(k);
             residuals.push(vec![None; made.len()]);
             continue;
@@ -138,9 +139,9 @@ pub(crate) fn line_up(made: &[&Made], bias: &[(usize, f64)]) -> Result<LineUp, F
     for i in 0..READINGS {
         for j in 0..READINGS {
             let build = bias.iter().map(|(k, _)| slope[(i, *k)] * slope[(j, *k)]);
-            error[(i, j)] += build.sum::<f64>() * BUILD * BUILD;
+            error[(i, j)] += build.sum::<f64>() * BUILD_SIGMA * BUILD_SIGMA;
         }
-        error[(i, i)] += GRAIN * GRAIN;
+        error[(i, i)] += GRAIN_SIGMA * GRAIN_SIGMA;
     }
     for k in unknown {
         error[(k, k)] = 1.0;
@@ -231,7 +232,7 @@ pub(crate) fn rounded(x: f64) -> f64 {
 
 /// Covariance of what is read between two captures of one body: half of what their differences scatter.
 /// `repeats` names the body that one is another capture of, `read` gives each of so many columns. `None`
-/// with fewer than [`LEAST`] pairs.
+/// with fewer than [`LEAST_BODIES`] pairs.
 pub(crate) fn repeat<T>(
     all: &[&T],
     id: impl Fn(&T) -> &str,
@@ -244,7 +245,7 @@ pub(crate) fn repeat<T>(
         .iter()
         .filter_map(|again| Some((first(repeats(again)?)?, *again)))
         .collect();
-    if pairs.len() < LEAST {
+    if pairs.len() < LEAST_BODIES {
         return None;
     }
     let half = |k: usize| -> Vec<Option<f64>> {

@@ -6,22 +6,25 @@ use crate::features::marks::hip;
 use crate::geometry::halves::{half, webbed};
 use crate::geometry::slices::Slice;
 use crate::model::crotch::{Hidden, crotch};
-use crate::planes::limbs::{Across, EXTREME, Placed, UPRIGHT, holds_other, sure};
+use crate::planes::limbs::{Across, EXTREME, LEAST_UPRIGHT, Placed, holds_other, sure};
 use nalgebra::{Point3, Vector3};
 use shape::{BodyFeatures, Mesh, Plane, PlaneSigma, Refusal, Side};
 
 /// A crotch lower than this share of stature is none: the thighs are one on the surface below it, by
 /// nearly 0.1 of stature under the crotch that people have (0.481 ± 0.015 of 6068, ANSUR II).
 const ONE: f64 = 0.385;
-/// The thigh is looked for above this share of the crotch's height.
-const THIGH: f64 = 0.8;
-/// So far below where the legs join, as a share of stature, the fold between them is no part of a thigh.
-/// 0.0145 of a leg's way, of 50 made bodies' thighs: 0.012 on a grid of 0.0025 left out half a step more at either end (docs/lab/girths.md).
-const BELOW: f64 = 0.0142;
-/// A ring that is so many times as long as the one a hundredth of stature lower is two legs'.
-const JUMP: f64 = 1.15;
+/// The thigh is looked for above this share of the crotch's height: knees are at 0.61 at most (tibial height, ANSUR
+/// II).
+const LOWEST_SHARE: f64 = 0.8;
+/// So far below where the legs join, as a share of stature, the fold between them is no part of a thigh. By hand:
+/// looked at 50 made bodies' thighs, 0.0145 of a leg's way: 0.012 on a grid of 0.0025 left out half a step more at
+/// either end (docs/lab/girths.md).
+const BELOW_JOIN: f64 = 0.0142;
+/// A ring that is so many times as long as the one a hundredth of stature lower is two legs'. By hand: looked at three
+/// scans, at 0.7 and 1.4 of it: 12 and 4 of 66 girths are refused.
+const JUMP_FACTOR: f64 = 1.15;
 
-/// A web begins a little lower than it shows, as a share of stature.
+/// A web begins a little lower than it shows, as a share of stature: a step of the search (structural: samples).
 const CLEAR_OF_WEB: f64 = 0.0025;
 
 /// Planes of a thigh and tapes in them, as far up as they are its own.
@@ -48,7 +51,7 @@ impl Shown {
 fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
     let leg = limbs.leg(side)?;
     let down = -leg.axis(Segment::Thigh).ok_or(Refusal::NoLimb)?.along;
-    let upright = -down.z > UPRIGHT;
+    let upright = -down.z > LEAST_UPRIGHT;
     let down = if upright { -Vector3::z() } else { down };
     let across = Across::new(limbs, leg, down, body.stature);
     let (knee, end) = (leg.middle.s, leg.clear_to());
@@ -68,7 +71,7 @@ fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
         };
         // Upward, as long as the ring is one leg's: what takes in the other one jumps.
         let lower = ways.iter().rposition(|way| s - way > 3.5 * coarse);
-        if lower.is_some_and(|i| ring.tape > JUMP * found[i].1) {
+        if lower.is_some_and(|i| ring.tape > JUMP_FACTOR * found[i].1) {
             if step < 0.1 * coarse {
                 match holds_other(limbs, body, side, &ring) {
                     Some(false) => return Err(Refusal::Hand),
@@ -100,7 +103,7 @@ fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
     });
     let web = web.unwrap_or(f64::MAX);
     let height = |p: &Plane| -down.dot(&Vector3::from(p.point_mm));
-    let last = height(&found.last().ok_or(Refusal::NoSection)?.0) - BELOW * body.stature;
+    let last = height(&found.last().ok_or(Refusal::NoSection)?.0) - BELOW_JOIN * body.stature;
     let highest = last.min(web - CLEAR_OF_WEB * body.stature);
     found.retain(|f| height(&f.0) <= highest);
     // The tape right there, for it may be the fullest.
@@ -109,7 +112,7 @@ fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
     if let Some((plane, ring)) = across.through(Point3::from(below.point_mm) + up) {
         found.push((plane, ring.tape));
     }
-    let among = |f: &&(Plane, f64)| f.0.point_mm[2] >= body.ground + THIGH * top;
+    let among = |f: &&(Plane, f64)| f.0.point_mm[2] >= body.ground + LOWEST_SHARE * top;
     let fullest = *found
         .iter()
         .filter(among)
@@ -155,7 +158,7 @@ fn web_at(across: &Across<'_>, inward: &Vector3<f64>, ways: [f64; 2], coarse: f6
 /// that the buttocks suggest.
 fn touching(body: &Body, side: f64) -> Result<Shown, Refusal> {
     let buttock = hip(body).ok_or(Refusal::ThighsOne)? - body.ground;
-    let crotch = crotch(buttock / body.stature) - BELOW;
+    let crotch = crotch(buttock / body.stature) - BELOW_JOIN;
     let both = |slice: &Slice| {
         let ring = slice.rings.first()?;
         let plane = Plane {

@@ -169,7 +169,8 @@ pub(crate) fn longest_hip_plane(body: &Body) -> Option<Plane> {
     longest(body, z).map(|z| across(body, z))
 }
 
-/// How far from the hip's level the greatest girth of the hips is looked for, as a share of stature.
+/// How far from the hip's level the greatest girth of the hips is looked for, as a share of stature. By hand: looked at
+/// three scans, at 0.7 and 1.4 of it: no tape changes.
 const NEAR_HIP: f64 = 0.03;
 
 /// The height near the hip's at which the tape around the trunk is longest.
