@@ -12,7 +12,7 @@ const UNSOURCED: [(&str, usize); 12] = [
     ("follow", 10),
     ("hull", 2),
     ("io", 4),
-    ("measure", 87),
+    ("measure", 81),
     ("person", 2),
     ("pose", 73),
     ("refine", 2),

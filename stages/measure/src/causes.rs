@@ -17,14 +17,15 @@ stage::messages! {
     SURFACE_UNIT = "length-surface-unit": "the unit of the surface";
 }
 
-/// A photo whose outline has less than this share of the usual area shows no subject (by hand).
-const EMPTY: f64 = 0.05;
-/// A surface with less than this share of what all outlines share has lost a part of the body (by hand).
-const KEPT: f64 = 0.7;
-/// Density of a body with air in its lungs. \[kg/l\]
-const DENSITY: f64 = 1.0;
-/// Share of a body's volume that density, clothes and scales do not explain (by hand).
-const LACKS: f64 = 0.25;
+/// A photo whose outline has less than this share of the usual area shows no subject. By hand: not on record.
+const EMPTY_SHARE: f64 = 0.05;
+/// A surface with less than this share of what all outlines share has lost a part of the body. By hand: not on record.
+const LEAST_KEPT_SHARE: f64 = 0.7;
+/// Density of a body with air in its lungs: it hardly floats (structural: that of water; by how much people differ is
+/// in [`LACKING_SHARE`]). \[kg/l\]
+const DENSITY_KG_L: f64 = 1.0;
+/// Share of a body's volume that density, clothes and scales do not explain. By hand: not on record.
+const LACKING_SHARE: f64 = 0.25;
 /// So many photos are named at most (structural: the message's length).
 const NAMED: usize = 5;
 
@@ -99,7 +100,7 @@ fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, Message)> {
         .map(|(id, _, mask)| (id, mask.area() as f64 / mask.data.len().max(1) as f64))
         .collect();
     let usual = shape::upper_median(areas.iter().map(|a| a.1))?;
-    let none = areas.iter().filter(|(_, area)| *area < EMPTY * usual);
+    let none = areas.iter().filter(|(_, area)| *area < EMPTY_SHARE * usual);
     let none: Vec<PhotoId> = none.map(|(id, _)| *id).collect();
     let named = named(cameras, &none);
     (!none.is_empty()).then(|| {
@@ -137,7 +138,7 @@ fn outlines(input: &Evidence<'_>, cameras: &Cameras, masks: &Masks) -> Option<(R
         return Some((Refusal::Outlines, why));
     }
     let kept = input.mesh.volume() / seen.shared;
-    (kept < KEPT).then(|| {
+    (kept < LEAST_KEPT_SHARE).then(|| {
         let why = message!(APART, share = 100.0 * kept);
         (Refusal::Incomplete, why)
     })
@@ -162,8 +163,8 @@ fn short(input: &Evidence<'_>) -> Option<(Refusal, Message)> {
 /// A surface that holds less than the weight that was given.
 fn light(input: &Evidence<'_>) -> Option<(Refusal, Message)> {
     let kg = input.kg?;
-    let (holds, fills) = (input.mesh.volume() * 1e-6, kg / DENSITY);
-    (holds < (1.0 - LACKS) * fills).then(|| {
+    let (holds, fills) = (input.mesh.volume() * 1e-6, kg / DENSITY_KG_L);
+    (holds < (1.0 - LACKING_SHARE) * fills).then(|| {
         let why = message!(
             LIGHT,
             holds = holds,

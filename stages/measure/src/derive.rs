@@ -114,14 +114,14 @@ pub(crate) fn withhold(girths: &mut Girths, between: [Template; 2]) {
     girths.missing.extend(missing);
 }
 
-/// Densities of living bodies, with air in their lungs and what a surface errs. \[kg/l\]
-const DENSITIES: std::ops::RangeInclusive<f64> = 0.8..=1.2;
+/// Densities of living bodies, with air in their lungs and what a surface errs. By hand: not on record. \[kg/l\]
+const DENSITIES_KG_L: std::ops::RangeInclusive<f64> = 0.8..=1.2;
 
 /// What is reported where volume and the weight that was given do not make a living body.
 pub(crate) fn no_density(girths: &Girths) -> Option<Message> {
     let mut ratios = girths.ratios.iter();
     let (_, density, _) = ratios.find(|(name, ..)| name == "density_kg_l")?;
-    (!DENSITIES.contains(density)).then(|| message!(NO_BODY, density = density))
+    (!DENSITIES_KG_L.contains(density)).then(|| message!(NO_BODY, density = density))
 }
 
 /// The trunk's tape over height above the ground, from the hip to the chest, while the arms are

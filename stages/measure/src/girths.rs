@@ -79,8 +79,8 @@ stage::inputs! {
 pub struct Measure;
 
 /// Even error of a surface along its normal, as a share of its mean edge: cells bound what it shows, of one carved from
-/// outlines,
-const CARVED: f64 = 0.1;
+/// outlines. By hand: looked at three scans, at 0.7 and 1.4 of it: intervals change by at most 29 and 39 %.
+const CARVED_EDGES: f64 = 0.1;
 /// and of one from elsewhere. Fitted: with `surface_mm` it is what tapes around hip, waists, thighs and calves of the first
 /// fifty bodies of `models/made/strangers.py` lose or gain where they are remeshed.
 const REMESHED: f64 = 0.045;
@@ -284,7 +284,7 @@ fn sure<'a>(
         .collect();
     let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
     let even = match input.masks {
-        Some(_) => CARVED,
+        Some(_) => CARVED_EDGES,
         None => REMESHED,
     };
     Sure {

@@ -8,7 +8,7 @@ use crate::geometry::section::{axes, length, tape};
 use crate::geometry::slices::{Ring, rings};
 use crate::geometry::spline::closed_spline_length;
 use crate::sections::beside_trunk::{FreedArm, freed_of_trunk};
-use crate::sections::down_arm::{CLEAN, DownArm, round};
+use crate::sections::down_arm::{CLEAN_ROUND, DownArm, round};
 use crate::sections::one::{FUSED, SectionMeasurement, Why, plain};
 use nalgebra::Point3;
 use shape::{Landmark, Mesh, Plane};
@@ -23,7 +23,7 @@ pub(crate) fn across_arm(
     let plane = &landmark.plane;
     let down = DownArm::of(mesh, body, plane);
     let own = down.small(0).map(|(_, ring)| ring);
-    if let Some(ring) = own.as_ref().filter(|r| round(r) > CLEAN) {
+    if let Some(ring) = own.as_ref().filter(|r| round(r) > CLEAN_ROUND) {
         return plain(mesh, plane, ring.clone());
     }
     let clear = down.clear(own.as_ref(), body, side)?;

@@ -4,7 +4,7 @@
 use crate::features::limb::cuts::holds_origin;
 use crate::geometry::carry::{first_reaches, ray};
 use crate::geometry::section::{length, tape};
-use crate::sections::bridge::{BRIDGED, bridge, walked};
+use crate::sections::bridge::{BRIDGED_SIGMA, bridge, walked};
 use crate::sections::fold::fold;
 use crate::sections::split::even;
 use std::f64::consts::TAU;
@@ -67,7 +67,7 @@ pub(crate) fn freed_of_trunk(
     own.extend(arc);
     Some(FreedArm {
         share: walked(&path) / length(&own),
-        sigma_mm: BRIDGED * (tape(&own) - chord_mm),
+        sigma_mm: BRIDGED_SIGMA * (tape(&own) - chord_mm),
         outline: own,
     })
 }

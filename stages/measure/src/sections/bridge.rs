@@ -1,9 +1,9 @@
 //! A convex bridge over what is hidden between two folds, and how sure it is.
 
-/// Standard deviation of a bridged tape, as a share of what the bridge adds to a tape straight from fold to fold, which is
-/// the least that a convex part can have. Of ovals it is 0.22 (a test in `beside_trunk`); 0.3 of 22 arms of two scans and five other
-/// bodies whose trunks were widened into them by 6, 15 and 28 mm.
-pub(super) const BRIDGED: f64 = 0.3;
+/// Standard deviation of a bridged tape, as a share of what the bridge adds to a tape straight from fold to fold, which
+/// is the least that a convex part can have. By hand: looked at ovals, 0.22 (a test in `beside_trunk`), and at 22 arms
+/// of two scans and five other bodies whose trunks were widened into them by 6, 15 and 28 mm, 0.3.
+pub(super) const BRIDGED_SIGMA: f64 = 0.3;
 /// The same by where a trunk's folds are, as a share of the way from one to the other: with it, 19 chests beside arms of every second of
 /// the first hundred bodies of `models/made/strangers.py` are as far off as their deviations have it.
 const PLACED: f64 = 0.03;
@@ -32,7 +32,7 @@ pub(crate) fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec
         [0, 1].map(|i| (p * a[i] + q * x[i] + r * b[i]) / sum)
     };
     let path: Vec<[f64; 2]> = (0..=32).map(conic).collect();
-    let doubt = libm::hypot(BRIDGED * (walked(&path) - chord), PLACED * chord);
+    let doubt = libm::hypot(BRIDGED_SIGMA * (walked(&path) - chord), PLACED * chord);
     (path[1..32].to_vec(), doubt)
 }
 

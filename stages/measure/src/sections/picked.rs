@@ -26,7 +26,7 @@ pub enum BadPoints {
     NoSection,
 }
 
-/// How far from where it was meant a hand picks, along the limb: one standard deviation. \[mm\]
+/// How far from where it was meant a hand picks, along the limb: one standard deviation. By hand: not on record. \[mm\]
 const HAND_MM: f64 = 3.0;
 
 /// The girth through points picked around a limb or the trunk, by the paper's procedure. How sure it is

@@ -242,10 +242,10 @@ fn cut_off(body: &Body, sides: &[f64], ring: &Ring) -> Option<SectionMeasurement
     })
 }
 
-/// How much farther out a ray may reach than those nearer the middle of chest and back.
-const SWELL: f64 = 1.02;
-/// Rays this near to straight forward or back always show the trunk. \[°\]
-const SURE: usize = 20;
+/// How much farther out a ray may reach than those nearer the middle of chest and back. By hand: not on record.
+const SWELL_FACTOR: f64 = 1.02;
+/// Rays this near to straight forward or back always show the trunk. By hand: not on record. \[°\]
+const SURE_DEG: usize = 20;
 
 /// Which rays of a trunk show an arm, or the filled fold between arm and trunk: from the middle of
 /// chest and back outward, all from the first that reaches an arm or swells against the clear section.
@@ -280,8 +280,8 @@ fn behind_arms(
                     let p = origin + ray_at(k as i64, &u, &v) * r;
                     p.coords.dot(&body.left) * arm.side > inner
                 });
-                let swells = ratio.is_none_or(|r| r > SWELL * least);
-                lost |= reached || (d > SURE as i64 && swells);
+                let swells = ratio.is_none_or(|r| r > SWELL_FACTOR * least);
+                lost |= reached || (d > SURE_DEG as i64 && swells);
                 hidden[k] |= lost;
                 least = least.min(ratio.unwrap_or(f64::MAX));
             }

@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 
 /// So many cells are along the depth from which a photo contradicts all the rest (structural: samples).
 const CELLS_A_DEPTH: f64 = 6.0;
-/// A section is searched around to this many times its size: more that is missing leaves no girth to speak of.
+/// A section is searched around to this many times its size: more that is missing leaves no girth to speak of
+/// (structural: a cap on work).
 const SEARCHED_SIZES: f64 = 2.0;
 
 /// All outlines of a capture, to ask them about a place.

@@ -13,8 +13,9 @@ stage::messages! {
     COLORS_ALIKE = "warn-colors-alike": "what is worn and what is behind look alike along the outline there on {names}: the interval is wider by what masks may leave out or keep; wear another colour";
 }
 
-/// From this share of a tape on it is noted that outlines do not confirm it.
-pub(crate) const OPEN: f64 = 0.012;
+/// From this share of a tape on it is noted that outlines do not confirm it. By hand: not on record; it decides a note
+/// alone.
+pub(crate) const OPEN_SHARE: f64 = 0.012;
 /// Of a pixel: its colours as they are decoded, and as they are (structural: what the buffers hold). \[bytes\]
 const PHOTO_PIXEL: u64 = 6;
 /// Standard deviation of an outline whose sides look alike, as a share of stature, off alike on all photos, fitted on masks of five
@@ -45,7 +46,7 @@ impl Unseen {
         photos: Option<&Photos>,
     ) -> Option<Message> {
         let most = |s: &Sigmas| 2.0 * self.tape_mm * self.tape_mm > s.variance();
-        let shows = self.tape_mm > OPEN * tape_mm && sigmas.is_none_or(most);
+        let shows = self.tape_mm > OPEN_SHARE * tape_mm && sigmas.is_none_or(most);
         let of = self.photos.iter().filter_map(|id| photos?.get(*id));
         let names: Vec<String> = of.map(|photo| photo.name.clone()).collect();
         let names = some_photos(&names).filter(|_| shows)?;

@@ -78,9 +78,9 @@ fn limbs<'a>(body: &'a Body, z: f64, curve: &[Point3<f64>], origin: Point3<f64>)
     rings.filter(|r| inside(&r.centre) > 0.5 * reach).collect()
 }
 
-/// How far an arm's middle moves at most between heights at which one line of sight passes it, as a
-/// share of stature.
-const PASSED: f64 = 0.07;
+/// How far an arm's middle moves at most between heights at which one line of sight passes it, as a share of stature.
+/// By hand: not on record.
+const PASSED_SHARE: f64 = 0.07;
 
 /// How much of a section's tape no photo's outline confirms, see [`unconfirmed`]. \[mm\]
 pub(crate) fn open_mm(
@@ -101,7 +101,8 @@ pub(crate) fn open_mm(
         let passed = level.iter().flat_map(|limb| {
             let share = (limb.centre - eye).xy().norm() / away;
             let there = limbs(body, eye.z + (z - eye.z) * share, &taken.contour, origin);
-            let near = |r: &&Ring| (r.centre - limb.centre).xy().norm() < PASSED * body.stature;
+            let near =
+                |r: &&Ring| (r.centre - limb.centre).xy().norm() < PASSED_SHARE * body.stature;
             there.into_iter().filter(near).collect::<Vec<_>>()
         });
         let all: Vec<&[Point3<f64>]> = passed
@@ -118,7 +119,7 @@ pub(crate) fn open_mm(
 /// Standard deviation of a silhouette girth that its tangents do not show because all share it: a
 /// border of masks that is off by a part of a pixel all around. \[mm\]
 pub(crate) fn shared_border(cameras: &Cameras, at: Point3<f64>) -> f64 {
-    /// Share of a pixel by which borders of masks are off all around.
+    /// Share of a pixel by which borders of masks are off all around. By hand: not on record.
     const BORDER_PX: f64 = 0.35;
     let sizes: Vec<f64> = cameras
         .views

@@ -2,14 +2,15 @@
 
 use crate::geometry::spline::has_left;
 use crate::sections::one::SectionMeasurement;
-use crate::uncertainty::edges::{OPEN, Unseen};
+use crate::uncertainty::edges::{OPEN_SHARE, Unseen};
 use crate::uncertainty::interval::{Level, interval, together, too_wide};
 use crate::uncertainty::outlines::{Borders, shared_border, surface_by_cameras};
 use nalgebra::Point3;
 use shape::{Cameras, Girth, GirthId, Landmark, NINE_IN_TEN, Note, Refusal, Sigmas, Split};
 use std::f64::consts::TAU;
 
-/// How much longer than its tape the skin around a waist may be: more points to a hole.
+/// How much longer than its tape the skin around a waist may be: more points to a hole. By hand: not on record; it
+/// decides a note alone.
 const WAIST_FOLDS: f64 = 1.05;
 
 /// What outlines tell of a section.
@@ -209,7 +210,7 @@ fn notes(
         share: mm / here.tape_mm,
     }));
     let open = seen.open_mm.unwrap_or(0.0) / here.tape_mm;
-    if open > OPEN {
+    if open > OPEN_SHARE {
         notes.push(Note::Open { share: open });
     }
     if has_left(here.spline_mm, here.tape_mm, here.contour_mm) {

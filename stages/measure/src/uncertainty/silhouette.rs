@@ -17,11 +17,11 @@ pub struct Tangent {
     pub is_left: bool,
 }
 
-/// How far from the surface a border is looked for. \[mm\]
-const REACH: f64 = 30.0;
-/// How near a line of sight may come to another limb, as a share of the section's half breadth: as
-/// limbs sway.
-const CLEARANCE: f64 = 0.08;
+/// How far from the surface a border is looked for. By hand: not on record. \[mm\]
+const REACH_MM: f64 = 30.0;
+/// How near a line of sight may come to another limb, as a share of the section's half breadth: as limbs sway. By hand:
+/// not on record.
+const CLEARANCE_SHARE: f64 = 0.08;
 
 /// How much of a pixel is body, between pixels. `None` outside the mask.
 fn cover(mask: &Mask, at: Point2<f64>) -> Option<f64> {
@@ -47,7 +47,7 @@ pub fn tangents(
 ) -> Vec<Tangent> {
     let eye = camera.pose.centre();
     let wide = curve.iter().map(|p| (p - origin).norm());
-    let clearance = CLEARANCE * wide.fold(0.0, f64::max);
+    let clearance = CLEARANCE_SHARE * wide.fold(0.0, f64::max);
     let lens = camera.lens.resized(mask.width as u32, mask.height as u32);
     let side = |turn: f64| -> Option<Tangent> {
         // The outward normal of the line from the eye to a point, on this side.
@@ -80,17 +80,18 @@ pub fn tangents(
         }
         let at = |d: f64| Point3::new(touch.x + n.0 * d, touch.y + n.1 * d, touch.z);
         let seen = |d: f64| cover(mask, lens.project(&camera.pose.apply(&at(d)))?);
-        // Outward from within: the crossing nearest to the surface.
-        const STEP: f64 = 0.5;
-        let count = (2.0 * REACH / STEP) as usize;
+        // Outward from within: the crossing nearest to the surface (structural: samples, between which it is straight).
+        // \[mm\]
+        const STEP_MM: f64 = 0.5;
+        let count = (2.0 * REACH_MM / STEP_MM) as usize;
         let values: Vec<Option<f64>> = (0..=count)
-            .map(|i| seen(-REACH + STEP * i as f64))
+            .map(|i| seen(-REACH_MM + STEP_MM * i as f64))
             .collect();
         let crossing = (0..count)
             .filter_map(|i| {
                 let (a, b) = (values[i]?, values[i + 1]?);
                 let falls = a > 127.5 && b <= 127.5;
-                falls.then(|| -REACH + STEP * (i as f64 + (a - 127.5) / (a - b)))
+                falls.then(|| -REACH_MM + STEP_MM * (i as f64 + (a - 127.5) / (a - b)))
             })
             .min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
         let border = at(crossing);
@@ -118,8 +119,8 @@ pub struct Support {
 
 /// Fewer tangents give no girth: two for each unknown of the lower order (derived).
 const MIN_TANGENTS: usize = 2 * (1 + 2 * 4);
-/// Widest stretch of directions without a tangent. \[rad\]
-const GAP: f64 = 60.0 * TAU / 360.0;
+/// Widest stretch of directions without a tangent. By hand: not on record. \[rad\]
+const WIDEST_GAP_RAD: f64 = 60.0 * TAU / 360.0;
 
 /// Fits the support function as a trigonometric polynomial (robustly: Huber weights) and
 /// integrates it. `None` with fewer than 18 tangents or with a wide gap between them.
@@ -133,10 +134,14 @@ pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
     let gap = (0..n)
         .map(|i| (angles[(i + 1) % n] - angles[i]).rem_euclid(TAU))
         .fold(0.0, f64::max);
-    if gap > GAP {
+    if gap > WIDEST_GAP_RAD {
         return None;
     }
-    let order = if n >= 28 && gap < GAP / 1.5 { 6 } else { 4 };
+    let order = if n >= 28 && gap < WIDEST_GAP_RAD / 1.5 {
+        6
+    } else {
+        4
+    };
     let unknowns = 1 + 2 * order;
     let row = |t: &Tangent, j: usize| match j {
         0 => 1.0,

@@ -5,13 +5,13 @@ use crate::geometry::section::{hull, length};
 use nalgebra::{Point2, Point3, Vector2};
 use std::f64::consts::TAU;
 
-/// Directions without an outline that are noted: from here on, and up to here. \[rad\]
-const OPEN: std::ops::Range<f64> = 20.0 * TAU / 360.0..150.0 * TAU / 360.0;
-/// How far beyond a stretch its corner is looked for, to either side. \[rad\]
-const BESIDE: f64 = 0.1;
-/// How near a line of sight may come to another limb, as a share of the section's half breadth:
-/// limbs sway, and their surface falls short where they are thin.
-const CLEARANCE: f64 = 0.2;
+/// Directions without an outline that are noted: from here on, and up to here. By hand: not on record. \[rad\]
+const OPEN_RAD: std::ops::Range<f64> = 20.0 * TAU / 360.0..150.0 * TAU / 360.0;
+/// How far beyond a stretch its corner is looked for, to either side. By hand: not on record. \[rad\]
+const BESIDE_RAD: f64 = 0.1;
+/// How near a line of sight may come to another limb, as a share of the section's half breadth: limbs sway, and their
+/// surface falls short where they are thin. By hand: not on record.
+const CLEARANCE_SHARE: f64 = 0.2;
 
 /// Angles of the outward normals of the two lines of sight from an eye that touch a level curve, of
 /// those that keep clear of all other limbs. \[rad\]
@@ -22,7 +22,7 @@ pub(crate) fn clear_sights(
     eye: Point3<f64>,
 ) -> Vec<f64> {
     let wide = curve.iter().map(|p| (p - origin).xy().norm());
-    let clearance = CLEARANCE * wide.fold(0.0, f64::max);
+    let clearance = CLEARANCE_SHARE * wide.fold(0.0, f64::max);
     let normal = |p: &Point3<f64>, turn: f64| {
         let way = (p - eye).xy().normalize();
         Vector2::new(turn * way.y, -turn * way.x)
@@ -62,11 +62,11 @@ pub(crate) fn unconfirmed(section: &[[f64; 2]], mut sights: Vec<f64>) -> f64 {
     for (i, from) in sights.iter().enumerate() {
         let to = sights[(i + 1) % sights.len()];
         let open = (to - from).rem_euclid(TAU);
-        if !OPEN.contains(&open) {
+        if !OPEN_RAD.contains(&open) {
             continue;
         }
-        let turned = open + 2.0 * BESIDE;
-        let (a, b) = (touch(from - BESIDE), touch(to + BESIDE));
+        let turned = open + 2.0 * BESIDE_RAD;
+        let (a, b) = (touch(from - BESIDE_RAD), touch(to + BESIDE_RAD));
         let steps = (b + n - a) % n;
         let path: f64 = (a..a + steps)
             .map(|k| (point(k + 1) - point(k)).norm())
