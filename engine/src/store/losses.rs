@@ -2,7 +2,7 @@
 //! power after each. `ENGINE_LOSSES=1000` takes so many sequences of steps, `ENGINE_LOSSES_SEED` other ones.
 
 use super::index::Index;
-use super::simulated::{Simulated, User, after_loss, laid};
+use super::simulated::{Simulated, User, after_loss, in_memory, laid};
 use super::{Record, Store, StoreError, retention};
 use crate::own;
 use proof::Dice;
@@ -123,13 +123,13 @@ fn power_may_go_after_any_step_and_what_was_to_be_safe_is() {
     let mut losses = 0;
     for seed in rounds(4) {
         let mut dice = Dice(seed);
-        let (place, disk) = (tempfile::tempdir().unwrap(), Disk::default());
+        let (place, disk) = (in_memory(), Disk::default());
         let results = results(&mut dice);
         let safe = work(&simulated(place.path(), &disk).unwrap(), &disk, &results);
         let steps = disk.steps.lock().unwrap().clone();
         for end in 0..=steps.len() {
             let round = format!("seed {seed}, {end} of {} steps", steps.len());
-            let after = tempfile::tempdir().unwrap();
+            let after = in_memory();
             let left = after_loss(&steps[..end], place.path(), &mut dice);
             laid(&left, place.path(), after.path());
             let store = simulated(after.path(), &Disk::default());
@@ -159,7 +159,7 @@ fn any_step_may_fail_and_the_store_is_sound() {
     for seed in rounds(1) {
         let results = results(&mut Dice(seed));
         for fails in 0.. {
-            let place = tempfile::tempdir().unwrap();
+            let place = in_memory();
             let (at, tried) = (Some(fails), AtomicUsize::new(0));
             let disk = Disk {
                 user: Arc::new(Fails { at, tried }),

@@ -7,6 +7,7 @@
 
 use super::disk::{Disk, Real};
 use proof::Dice;
+pub(crate) use proof::in_memory;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
@@ -249,16 +250,6 @@ pub(crate) fn laid(left: &[(PathBuf, Option<Vec<u8>>)], root: &Path, at: &Path) 
             Some(bytes) => std::fs::write(path, bytes).expect("a file"),
         }
     }
-}
-
-/// A new folder, in memory where the system has a place for that.
-pub(crate) fn in_memory() -> tempfile::TempDir {
-    let memory = Path::new("/dev/shm");
-    let place = match memory.is_dir() {
-        true => tempfile::tempdir_in(memory),
-        false => tempfile::tempdir(),
-    };
-    place.expect("a folder")
 }
 
 /// All files below a folder, in their order.

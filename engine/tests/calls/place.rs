@@ -43,12 +43,7 @@ fn below(folder: &Path) -> Vec<PathBuf> {
 impl Place {
     /// Two captures, and a pipeline with a program; no run yet.
     pub(crate) fn new() -> Place {
-        let memory = Path::new("/dev/shm");
-        let place = match memory.is_dir() {
-            true => tempfile::tempdir_in(memory),
-            false => tempfile::tempdir(),
-        };
-        let place = Place(place.unwrap());
+        let place = Place(proof::in_memory());
         for (capture, word) in [(NEEDLES[1], NEEDLES[0]), ("other", OTHER)] {
             let folder = place.at(capture);
             fs::create_dir_all(&folder).unwrap();

@@ -48,7 +48,7 @@ pub(crate) struct Place(tempfile::TempDir);
 
 impl Place {
     pub(crate) fn new(text: &str) -> Place {
-        let place = Place(tempfile::tempdir().unwrap());
+        let place = Place(proof::in_memory());
         std::fs::create_dir(place.src()).unwrap();
         place.write(text);
         place

@@ -34,7 +34,7 @@ struct Place(tempfile::TempDir);
 
 impl Place {
     fn new() -> Place {
-        let place = Place(tempfile::tempdir().unwrap());
+        let place = Place(proof::in_memory());
         std::fs::create_dir(place.0.path().join("src")).unwrap();
         std::fs::write(place.0.path().join("src/a.txt"), "hello").unwrap();
         place

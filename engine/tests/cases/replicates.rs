@@ -72,7 +72,7 @@ fn rows(points: &Points, place: &Path) -> Vec<Row> {
 
 #[test]
 fn replicates_take_the_next_seeds_alike_in_all_variants_and_share_what_is_equal() {
-    let place = tempfile::tempdir().unwrap();
+    let place = proof::in_memory();
     let points = repeated(4, &["more", "still"], &[]);
     let why = points.unwrap_err();
     assert!(
@@ -114,7 +114,7 @@ fn replicates_take_the_next_seeds_alike_in_all_variants_and_share_what_is_equal(
 
 #[test]
 fn a_sweep_again_with_more_replicates_makes_only_what_is_new() {
-    let place = tempfile::tempdir().unwrap();
+    let place = proof::in_memory();
     let few = rows(&repeated(2, &["more"], &[]).unwrap(), place.path());
     let more = rows(&repeated(3, &["more"], &[]).unwrap(), place.path());
     let made = |rows: &[Row]| rows.iter().map(|r| r.made).sum::<usize>();

@@ -13,7 +13,7 @@ fn all() -> Vec<String> {
 
 /// Each record in the bucket is whole: a store that has nothing finds all of it there.
 fn whole(place: &Place, bucket: &Bucket, n: i64) {
-    let cache = tempfile::tempdir().unwrap();
+    let cache = proof::in_memory();
     let cache = cache.path().join("fresh");
     bucket.fail(Faults::default());
     let (made, _, printed) = shared(place, &cache, bucket, n);
@@ -128,7 +128,7 @@ fn wrong_bytes_are_refused_named_made_again_and_put_right() {
     let place = Place::new(&texts()[1]);
     for shelf in ["ac", "cas"] {
         let bucket = Bucket::new();
-        let own = tempfile::tempdir().unwrap();
+        let own = proof::in_memory();
         let [a, b] = ["a", "b"].map(|name| own.path().join(name));
         shared(&place, &a, &bucket, 1);
         let names = bucket.names(shelf);

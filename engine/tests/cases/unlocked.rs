@@ -53,7 +53,7 @@ fn who_comes_second_where_there_are_no_locks_compares_and_the_first_counts() {
 
 #[test]
 fn of_many_who_write_one_record_at_once_the_first_counts_for_all() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = proof::in_memory();
     let store = Store::open(folder.path()).unwrap();
     for round in 0..50 {
         let provenance = vec![("stage".to_owned(), format!("toy v{round}"))];

@@ -1,5 +1,9 @@
 //! How a claim about numbers is proved in a test. A dev-dependency only.
 
+mod memory;
+
+pub use memory::in_memory;
+
 use nalgebra::{SMatrix, SVector};
 
 /// Holds an analytic Jacobian against central differences of the function beside it.
