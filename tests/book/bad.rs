@@ -1,6 +1,6 @@
 //! A rehearsal of `samples/bad` as the page on a first capture has it: what is worse comes first, and what stops is no success.
 
-use crate::run;
+use super::run;
 
 /// What `doctor` finds of a bad capture: the grades in their order, and its whole answer.
 fn found(folder: &str, code: i32) -> (Vec<String>, String) {

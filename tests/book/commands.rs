@@ -1,6 +1,6 @@
 //! Commands in blocks marked `sh` are understood; in blocks marked `sh run` they run.
 
-use crate::{pages, read, run};
+use super::{pages, read, run};
 
 /// The command lines of `tailor` in a page's blocks whose mark is so, without comments.
 fn commands(text: &str, mark: &str) -> Vec<String> {

@@ -1,7 +1,7 @@
 //! Tables of what a phone's faults cost, from what `docs/tables/faults.py` wrote.
 
-use crate::figures::json;
-use crate::tables::{hold, made_with, signed};
+use super::figures::json;
+use super::tables::{hold, made_with, signed};
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -1,8 +1,8 @@
 //! Tables of figures: those that programs of the repository take, and the line below all other tables.
 
-use crate::lab::data_of;
-use crate::tables::{hold, number, signed};
-use crate::{pages, read};
+use super::lab::data_of;
+use super::tables::{hold, number, signed};
+use super::{pages, read};
 use serde_json::Value;
 use std::fmt::Write;
 

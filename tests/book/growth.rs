@@ -1,7 +1,7 @@
 //! How time and memory grow: the tables of `docs/tables/growth.json`.
 
-use crate::read;
-use crate::tables::{hold, made_with, number};
+use super::read;
+use super::tables::{hold, made_with, number};
 use serde_json::Value;
 use std::fmt::Write;
 

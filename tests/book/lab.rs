@@ -1,7 +1,7 @@
 //! The laboratory: each table is between marks or a study's, and its command is above it.
 
-use crate::figures::json;
-use crate::{place, read};
+use super::figures::json;
+use super::{place, read};
 use serde_json::Value;
 
 /// The laboratory's pages with tables of figures, in order.

@@ -1,6 +1,6 @@
 //! Links and the table of contents.
 
-use crate::{pages, place, read};
+use super::{pages, place, read};
 
 /// Where a page's links lead, without those that leave the repository: a file, and a place in it.
 fn leading(text: &str) -> Vec<(String, String)> {

@@ -1,8 +1,8 @@
 //! The front page: short, and its table of how near results come, with strangers in it.
 
-use crate::figures::{digits, held_out, json};
-use crate::read;
-use crate::tables::{TRUNK, at_planes, between, hold, number};
+use super::figures::{digits, held_out, json};
+use super::read;
+use super::tables::{TRUNK, at_planes, between, hold, number};
 use std::fmt::Write;
 
 /// Words of the front page, as `wc` counts them: a screen and a half.

@@ -1,8 +1,8 @@
 //! What a modelled phone does to results, in short: the laboratory's tables of `docs/lab/phone.md` for users.
 
-use crate::figures::json;
-use crate::near::millimetres;
-use crate::tables::{TRUNK, between, hold, number};
+use super::figures::json;
+use super::near::millimetres;
+use super::tables::{TRUNK, between, hold, number};
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -1,7 +1,7 @@
 //! The book is short and plain: words of all its pages, words of a sentence, no figure written by hand.
 
-use crate::links::links;
-use crate::read;
+use super::links::links;
+use super::read;
 
 /// Words of all its pages.
 const MOST_WORDS: usize = 20_000;

@@ -1,6 +1,6 @@
 //! What a page shows under a command marked `sh screen` is what the program prints; a line `…` replaces some lines.
 
-use crate::{pages, read, run};
+use super::{pages, read, run};
 
 /// Each command of a page's blocks `sh screen`, and the block `text` that follows it.
 fn screens(text: &str) -> Vec<(String, String)> {

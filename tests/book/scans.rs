@@ -1,7 +1,7 @@
 //! The table of surfaces of people through a phone, from what `docs/tables/scans.py` wrote.
 
-use crate::figures::json;
-use crate::tables::{hold, made_with, signed};
+use super::figures::json;
+use super::tables::{hold, made_with, signed};
 use serde_json::Value;
 use std::fmt::Write;
 

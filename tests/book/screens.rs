@@ -1,6 +1,6 @@
 //! Screens of the program that docs show are those that `docs/screens/take` took; CI takes them anew.
 
-use crate::{pages, read};
+use super::{pages, read};
 
 /// Columns of a terminal as it comes.
 const COLUMNS: usize = 80;

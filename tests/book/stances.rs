@@ -1,7 +1,7 @@
 //! How alike the girths of one body come out in twelve stances: the table of `docs/tables/stances.json`.
 
-use crate::figures::{digits, json};
-use crate::tables::{hold, made_with};
+use super::figures::{digits, json};
+use super::tables::{hold, made_with};
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -1,7 +1,7 @@
 //! How often intervals hold on bodies that nothing was fitted to: the table of `docs/tables/strangers.json`.
 
-use crate::figures::{digits, json};
-use crate::tables::{hold, made_with, signed};
+use super::figures::{digits, json};
+use super::tables::{hold, made_with, signed};
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! Tables between marks in the pages are written from data: none is copied by hand.
 
-use crate::{place, read};
+use super::{place, read};
 use serde_json::Value;
 use shape::Refusal;
 use std::fmt::Write;

@@ -1,6 +1,6 @@
 //! Plans as rules of other engines.
 
-use crate::place::Place;
+use super::place::Place;
 use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
 

@@ -9,7 +9,7 @@ pub(crate) struct Place(tempfile::TempDir);
 
 impl Place {
     pub(crate) fn new() -> Place {
-        Place(tempfile::tempdir().unwrap())
+        Place(proof::in_memory())
     }
     pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)

@@ -1,6 +1,6 @@
 //! Slurm's own daemons on loopback, and a pipeline of small programs to be made on them.
 
-use crate::place::Place;
+use super::place::Place;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

@@ -1,6 +1,6 @@
 //! Plans on Slurm's real daemons, and what goes wrong there.
 
-use crate::site::Site;
+use super::site::Site;
 use std::collections::BTreeSet;
 use std::process::Command;
 

@@ -1,6 +1,6 @@
 //! `tailor work`, as any cluster starts it: in any order within a layer, twice, killed and again.
 
-use crate::place::Place;
+use super::place::Place;
 use std::process::Stdio;
 
 const CELLS: &str = "50,45,40";

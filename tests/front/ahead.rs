@@ -1,6 +1,6 @@
 //! `plan` and `why` before anything runs: their words in any order, and those of `measure`.
 
-use crate::place::Place;
+use super::place::Place;
 
 #[test]
 fn plan_and_why_take_pipeline_and_node_in_any_order() {

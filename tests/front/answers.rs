@@ -1,6 +1,6 @@
 //! Answers: what would run and why, drawings, the store, all of it in JSON too.
 
-use crate::place::{Place, SMALL};
+use super::place::{Place, SMALL};
 use serde_json::Value;
 
 fn states(plan: &Value) -> Vec<(String, String)> {

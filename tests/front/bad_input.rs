@@ -1,6 +1,6 @@
 //! What is wrong with a user's input is reported, and nothing is lost or half-written.
 
-use crate::place::{Place, SMALL};
+use super::place::{Place, SMALL};
 
 const LOAD: &str = "goal = \"photos\"\n[input.files]\nfiles = \"*.{jpg,png}\"\n[node.photos]\n\
     stage = \"capture.load\"\nfrom = { files = \"@files\" }\n";

@@ -1,6 +1,6 @@
 //! `why`: every cause at once, against the last run of the same, by the names of files.
 
-use crate::place::{Place, SMALL};
+use super::place::{Place, SMALL};
 use serde_json::Value;
 
 /// Node and lines of each cause.

@@ -1,6 +1,6 @@
 //! Programs where there is no bubblewrap, on Linux: kept by the kernel itself from what they are not given.
 
-use crate::place::{Place, Printed};
+use super::place::{Place, Printed};
 use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::os::unix::net::UnixListener;

@@ -1,6 +1,6 @@
 //! A capture looked at before minutes are spent, and the capture.toml that follows from it.
 
-use crate::place::Place;
+use super::place::Place;
 
 /// A turn of twelve photos of the sample, all of one half of the turn.
 fn turn() -> Place {

@@ -1,6 +1,6 @@
 //! What is known of a capture, given on the command line; and folders as people have them.
 
-use crate::place::Place;
+use super::place::Place;
 
 const LOAD: &str = "goal = \"photos\"\n[input.files]\nfiles = [\"*.{jpg,png}\", \"capture.toml\"]\n[node.photos]\n\
     stage = \"capture.load\"\nfrom = { files = \"@files\" }\n";

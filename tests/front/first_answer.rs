@@ -1,6 +1,6 @@
 //! A first answer comes while the whole is made, its page has a note when the whole does not come, and it is no run.
 
-use crate::place::{Place, Printed, signal};
+use super::place::{Place, Printed, signal};
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;

@@ -1,6 +1,6 @@
 //! Foreign programs in the product: the shipped pipeline with ffmpeg, kinds that programs may make.
 
-use crate::place::Place;
+use super::place::Place;
 use std::path::Path;
 
 /// A turn of photos.

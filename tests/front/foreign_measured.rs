@@ -1,6 +1,6 @@
 //! Landmarks and girths that foreign programs found: taken, or refused with a reason.
 
-use crate::place::Place;
+use super::place::Place;
 
 /// A box of a metre, as PLY.
 const CUBE: &str = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n\

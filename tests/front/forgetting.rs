@@ -1,7 +1,7 @@
 //! Forgotten means gone, whatever happened to the cache before: broken records, killed runs, moved captures.
 
-use crate::place::Place;
-use crate::privacy::{TURN, all, holds};
+use super::place::Place;
+use super::privacy::{TURN, all, holds};
 use std::fs;
 use std::path::PathBuf;
 

@@ -1,6 +1,6 @@
 //! Nothing that who measures people reads is English where German is asked for.
 
-use crate::place::{Place, Printed};
+use super::place::{Place, Printed};
 
 /// The same line in English, and as `german` has it.
 fn both(place: &Place, line: &str, german: &str) -> [Printed; 2] {

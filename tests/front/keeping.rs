@@ -1,6 +1,6 @@
 //! A store keeps its hands off what is not its own, and believes no file without checking it.
 
-use crate::place::Place;
+use super::place::Place;
 use std::fs;
 use std::os::unix::fs::symlink;
 

@@ -1,7 +1,7 @@
 //! Every layout of a folder that docs/captures.md names: `init` writes a file by which `doctor` and `measure` read
 //! the same photos and the same plate.
 
-use crate::place::Place;
+use super::place::Place;
 use image::DynamicImage;
 use std::path::Path;
 use std::sync::LazyLock;

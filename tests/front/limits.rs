@@ -1,6 +1,6 @@
 //! Bounds: threads, memory on record, the size of the cache, records of runs.
 
-use crate::place::Place;
+use super::place::Place;
 use std::fs;
 
 #[test]

@@ -1,6 +1,6 @@
 //! What is written for people: completions, pages for `man`, pictures under their own ending.
 
-use crate::place::Place;
+use super::place::Place;
 
 #[test]
 fn every_verb_is_completed_and_has_a_page() {

@@ -1,6 +1,6 @@
 //! Noise of photos: always reported, warned of where masks may lose parts by it.
 
-use crate::place::Place;
+use super::place::Place;
 use std::path::Path;
 
 /// So many photos show what does not move.

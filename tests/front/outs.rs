@@ -1,6 +1,6 @@
 //! Results in a user's folder: whole, never through a link, never another's, and what is left is listed.
 
-use crate::place::{Place, SMALL};
+use super::place::{Place, SMALL};
 use serde_json::Value;
 use std::fs;
 use std::os::unix::fs::symlink;

@@ -52,7 +52,7 @@ impl Printed {
 
 impl Place {
     pub(crate) fn new() -> Place {
-        let place = Place(tempfile::tempdir().unwrap(), None);
+        let place = Place(proof::in_memory(), None);
         place.write("small.toml", SMALL);
         place
     }

@@ -1,6 +1,6 @@
 //! What nobody else may see: what is forgotten is gone, what is private was never there.
 
-use crate::place::{Place, SMALL};
+use super::place::{Place, SMALL};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};

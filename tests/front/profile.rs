@@ -1,6 +1,6 @@
 //! `--profile`: where a run's time and memory went.
 
-use crate::place::Place;
+use super::place::Place;
 use serde_json::Value;
 
 #[test]

@@ -1,6 +1,6 @@
 //! The report: equal results give equal bytes, however long its stages took.
 
-use crate::place::Place;
+use super::place::Place;
 use std::fs;
 
 /// A doll by formula, its photos and the report on it.

@@ -1,7 +1,7 @@
 //! Scans as strangers hand them over: each gives its girths, or a clear word and no number.
 
-use crate::place::Place;
-use crate::things::{
+use super::place::Place;
+use super::things::{
     ball, body, changed, dog, half, meshed, one_arm, open_half, pair, seat, together,
 };
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! The first screen of `measure`: what it found, parts in words, the girths, warnings; in a pipe, on a terminal, in German.
 
-use crate::first_answer::{begun, printed, quick};
-use crate::place::{Place, Printed};
+use super::first_answer::{begun, printed, quick};
+use super::place::{Place, Printed};
 
 /// Columns of a terminal as it comes.
 const COLUMNS: usize = 80;

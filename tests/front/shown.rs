@@ -1,6 +1,6 @@
 //! What is shown where no output is chosen, how a run ends, and which length of a girth is printed.
 
-use crate::place::{Place, SMALL};
+use super::place::{Place, SMALL};
 
 /// The doll with its girths.
 const GIRTHS: &str = "[node.features]\nstage = \"measure.body\"\nfrom = { mesh = \"body\" }\n\

@@ -1,6 +1,6 @@
 //! Ctrl-C, kills, and a cache that goes away.
 
-use crate::place::{Place, SMALL, signal};
+use super::place::{Place, SMALL, signal};
 use std::io::{BufRead, BufReader};
 
 /// A body so fine that it takes long, and does not ask whether to stop.
@@ -139,7 +139,7 @@ fn a_sweep_of_the_cache_stops_when_it_is_asked_to() {
     );
     place.run(&line).code(0);
     let blobs = || {
-        let all = crate::privacy::all(&place.path("cache/cas")).into_iter();
+        let all = super::privacy::all(&place.path("cache/cas")).into_iter();
         all.filter(|path| path.is_file()).collect::<Vec<_>>()
     };
     let before = blobs().len();

@@ -1,7 +1,7 @@
 //! What strangers put into a shared store, and stores that do not answer: nobody's signature is put on what somebody
 //! else made, nothing waits for ever, and what is there is for its owner.
 
-use crate::place::Place;
+use super::place::Place;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 /// Every file below a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
-    let all = crate::privacy::all(folder).into_iter();
+    let all = super::privacy::all(folder).into_iter();
     all.filter(|path| path.is_file()).collect()
 }
 
@@ -161,7 +161,7 @@ fn objects_of_a_shared_folder_are_for_its_owner_unless_it_is_shared() {
     let place = Place::new();
     let store = shared(&place);
     let modes = |mode: u32| {
-        let all = crate::privacy::all(&place.path("store"));
+        let all = super::privacy::all(&place.path("store"));
         for path in all.iter().skip(1) {
             let is = fs::metadata(path).unwrap().permissions().mode() & 0o777;
             let wanted = if path.is_dir() {
@@ -228,7 +228,7 @@ fn delayed(answers: impl Fn(std::net::TcpStream) + Send + 'static) {
 fn forgetting_there_finds_what_other_machines_made_and_the_plans() {
     let place = Place::new();
     let store = shared(&place);
-    place.write("turn.toml", crate::privacy::TURN);
+    place.write("turn.toml", super::privacy::TURN);
     place.photos("anna", 3);
     place.photos("bert", 4);
     for who in ["anna", "bert"] {

@@ -1,6 +1,6 @@
 //! Words for mistakes: all at once, each where it was made; words for one thing and for many.
 
-use crate::place::{Place, SMALL};
+use super::place::{Place, SMALL};
 
 #[test]
 fn open_ports_are_reported_with_the_other_mistakes() {

@@ -59,7 +59,7 @@ pub(crate) fn folder(
 /// The exit code, and all that is printed.
 fn tailor(args: &[&str]) -> (Option<i32>, String) {
     let cache = tempfile::tempdir().unwrap();
-    let (code, out, err) = crate::ran(args, cache.path());
+    let (code, out, err) = super::ran(args, cache.path());
     (code, out + &err)
 }
 

@@ -1,6 +1,6 @@
 //! `tailor follow`: the same body turned, moved and with its arms in another pose is the same; what grew is found.
 
-use crate::ran;
+use super::ran;
 use follow::{Halves, PARTS, Target, carried, growth, posed, rigid, segments, volumes};
 use nalgebra::{Isometry3, Point3, Vector3};
 use serde_json::Value;

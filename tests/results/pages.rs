@@ -1,7 +1,7 @@
 //! The pages of `sweep` and `compare` in a real browser: what is drawn, what hands do, no request.
 //! Without a Chromium these tests are ignored (touch `build.rs` once one is installed); what the pages hold is tested beside the verbs.
 
-use crate::chromium::Tab;
+use super::chromium::Tab;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Camera, Intrinsics, Mask, Mesh, Pose};
 use stage::{Metric, Value};

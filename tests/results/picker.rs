@@ -1,8 +1,8 @@
 //! The girth through picked points: the report's page computes what the program computes, where arm and trunk are one, too.
 //! Without a Chromium this is ignored (touch `build.rs` once one is installed).
 
-use crate::chromium;
-use crate::tube;
+use super::chromium;
+use super::tube;
 
 use chromium::Tab;
 use measure::picked;

@@ -1,6 +1,6 @@
 //! Plots of sweeps in a real browser: small multiples with intervals and lines of reference, maps, tables that fit a page.
 
-use crate::chromium::Tab;
+use super::chromium::Tab;
 use stage::{Metric, Value};
 use tables::{Behind, Reference};
 use tailor::sweep::{End, Point, Row};

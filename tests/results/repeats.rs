@@ -1,6 +1,6 @@
 //! `tailor repeat`: captures of the same people, from the command line.
 
-use crate::ran;
+use super::ran;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -2,7 +2,7 @@
 //! or a checkpoint holds is never done again: no more of them are written than by a run that
 //! nobody disturbs.
 //!
-//! Takes minutes, so it is asked for: `cargo test --release --test results resume -- --ignored --nocapture`.
+//! Takes minutes, so it is asked for: `cargo test --release --test product resume -- --ignored --nocapture`.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Many sides in a real browser: tables fit a page.
 
-use crate::chromium::Tab;
-use crate::comparisons::folder;
+use super::chromium::Tab;
+use super::comparisons::folder;
 use serde_json::{Value, json};
 use tailor::compare::{Side, TechnicalErrors, compare, markdown, page};
 

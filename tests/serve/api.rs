@@ -1,6 +1,6 @@
 //! The calls are those that `docs/api/openapi.json` names, and do what it documents of captures and files.
 
-use crate::server::{Server, photos};
+use super::server::{Server, photos};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 

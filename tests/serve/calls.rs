@@ -1,6 +1,6 @@
 //! What the calls of a test have in common with those of a page: progress, read as events.
 
-use crate::server::Server;
+use super::server::Server;
 use serde_json::Value;
 
 /// The states that a measuring went through while somebody looked, until it was over.

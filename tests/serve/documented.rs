@@ -1,7 +1,7 @@
 //! The calls as docs/serve.md prints them: files sent with `-T`, the empty scene known by its name, errors as JSON, and
 //! what went wrong, with the names of the files that were sent.
 
-use crate::server::{Server, photos};
+use super::server::{Server, photos};
 use serde_json::{Value, json};
 
 /// A capture sent as the documented calls do, its plate named `plate`.

@@ -1,10 +1,10 @@
 //! The page in a real browser, as hands use it: dropped, looked at, typed, measured, reported, deleted; in both
 //! languages, light and dark, from a phone's width to 4K.
 
-use crate::chromium::Tab;
-use crate::live::live_girths;
-use crate::server::{Server, photos};
-use crate::whole::{complaints, tab, whole};
+use super::chromium::Tab;
+use super::live::live_girths;
+use super::server::{Server, photos};
+use super::whole::{complaints, tab, whole};
 use serde_json::{Value, json};
 
 #[test]

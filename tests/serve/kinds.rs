@@ -1,8 +1,8 @@
 //! What is dropped besides photos of a turn: a video, photos of a phone in HEIC, photos of a walk.
 
-use crate::chromium::Tab;
-use crate::server::{Server, photos};
-use crate::whole::{complaints, tab, whole};
+use super::chromium::Tab;
+use super::server::{Server, photos};
+use super::whole::{complaints, tab, whole};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::Command;

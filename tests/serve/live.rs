@@ -1,8 +1,8 @@
 //! The girth through picked points, as the report's page computes it: against the program's on the same surface,
 //! and against `girths.json` of the same capture.
 
-use crate::chromium::Tab;
-use crate::server::Server;
+use super::chromium::Tab;
+use super::server::Server;
 use serde_json::Value;
 
 /// So far page and program may be apart: the page keeps corners to a tenth of a millimetre. \[mm\]

@@ -1,18 +1,18 @@
 //! A capture measured: joined, watched, stopped, killed, gone on with, reported, deleted.
 
-use crate::calls::events;
-use crate::server::Server;
+use super::calls::events;
+use super::server::Server;
 use serde_json::{Value, json};
 
 /// Pictures for the book, where there is a browser and somebody wants them.
 #[cfg(chromium)]
-use crate::whole::picture;
+use super::whole::picture;
 #[cfg(not(chromium))]
 fn picture(_: &Server, _: &str, _: &str) {}
 
 /// What a browser does with the result, where there is one.
 #[cfg(chromium)]
-use crate::flows::result_report_and_brush as browsed;
+use super::flows::result_report_and_brush as browsed;
 #[cfg(not(chromium))]
 fn browsed(_: &Server, _: &str) {}
 

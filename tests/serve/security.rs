@@ -1,6 +1,6 @@
 //! Who is refused: other pages, other names, no token; and what comes in that is no photo.
 
-use crate::server::Server;
+use super::server::Server;
 use serde_json::{Value, json};
 use std::os::unix::fs::PermissionsExt;
 
@@ -246,7 +246,7 @@ fn what_is_no_photo_is_refused_politely() {
 fn names_are_shown_as_text_and_are_no_paths() {
     let server = Server::new();
     let id = server.capture("<img src=x onerror=alert(1)>");
-    let photo = std::fs::read(&crate::server::photos()[0]).unwrap();
+    let photo = std::fs::read(&super::server::photos()[0]).unwrap();
     let name = "..%2f..%2f%3Cscript%3Ealert(1)%3C%2Fscript%3E.jpg";
     let kept = server.send(&id, 1, name, &photo).is(200).json();
     assert_eq!(

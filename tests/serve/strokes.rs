@@ -1,7 +1,7 @@
 //! Strokes of the brush while photos are changed, and long names in the table, in a real browser.
 
-use crate::server::{Server, photos};
-use crate::whole::{complaints, tab, whole};
+use super::server::{Server, photos};
+use super::whole::{complaints, tab, whole};
 use serde_json::{Value, json};
 
 /// A capture of two photos with outlines, as a measuring leaves them.

@@ -1,8 +1,8 @@
 //! A page as a whole, in every window: nothing is wrong with it for who hears it or sees little. With
 //! `TAILOR_SHOTS=FOLDER` pictures are kept there; with `TAILOR_AXE=axe.min.js` axe-core looks, too.
 
-use crate::chromium::Tab;
-use crate::server::Server;
+use super::chromium::Tab;
+use super::server::Server;
 use serde_json::{Value, json};
 
 const DESK: [u32; 2] = [1280, 900];

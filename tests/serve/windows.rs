@@ -1,6 +1,6 @@
 //! Several windows with the form of one capture: none undoes what another typed.
 
-use crate::server::{Answer, Server, photos};
+use super::server::{Answer, Server, photos};
 use serde_json::{Value, json};
 
 /// The fields of the form on a capture's page, as a browser sends them if nobody touches one.

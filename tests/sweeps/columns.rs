@@ -1,6 +1,6 @@
 //! What the columns of a sweep may be: everything of a girth, of a node, of a truth; and what is no table.
 
-use crate::methods::Place;
+use super::methods::Place;
 use serde_json::Value;
 
 /// Girths of a body given by formula, without photos: a second for a point.

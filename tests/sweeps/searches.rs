@@ -1,6 +1,6 @@
 //! Searches alone and on a cluster, and what is left of a study that was killed.
 
-use crate::methods::Place;
+use super::methods::Place;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 

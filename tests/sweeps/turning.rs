@@ -1,6 +1,6 @@
 //! A sweep of somebody who turns on the spot: what photos and noise do to azimuths, by joints alone, tiny.
 
-use crate::methods::Place;
+use super::methods::Place;
 use serde_json::Value;
 
 /// How far azimuths are off before outlines are asked: seconds for a point.

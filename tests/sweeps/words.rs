@@ -1,6 +1,6 @@
 //! Sweeps of the product that cannot be are refused; which nodes a param reaches.
 
-use crate::methods::Place;
+use super::methods::Place;
 use tailor::engine;
 
 #[test]

@@ -5,7 +5,7 @@
 //! (`pub use`) belongs to the file that defines it; passing it on is no arrow. Tests within files, comments
 //! and texts do not count: a test may look upward.
 
-use crate::imports;
+use super::imports;
 
 use imports::Crate;
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,7 +40,7 @@ fn crates() -> Vec<BTreeMap<String, BTreeSet<String>>> {
     crates.extend(
         ["study", ""]
             .iter()
-            .chain(&crate::ENGINE)
+            .chain(&super::ENGINE)
             .map(|c| root.join(c)),
     );
     crates.sort();
@@ -101,14 +101,14 @@ fn a_circle_is_found_through_what_is_passed_on_and_a_test_makes_none() {
         "lib.rs",
         "mod a;\nmod b;\npub use b::inner::{B as Named, C};\n",
     );
-    write("a.rs", "use crate::{Named, C};\npub struct A(Named, C);\n");
+    write("a.rs", "use super::{Named, C};\npub struct A(Named, C);\n");
     write(
         "b/mod.rs",
-        "//! No arrow: `use crate::a::A;`\npub(crate) mod inner;\n",
+        "//! No arrow: `use super::a::A;`\npub(crate) mod inner;\n",
     );
     write(
         "b/inner.rs",
-        "pub struct B;\n#[cfg(test)]\nmod tests {\n use crate::a::A;\n}\n",
+        "pub struct B;\n#[cfg(test)]\nmod tests {\n use super::a::A;\n}\n",
     );
     let found = || circles(&Crate::read(&at.join("src")).arrows(&at));
     assert_eq!(found(), BTreeSet::new());

@@ -167,7 +167,7 @@ fn no_stages_crate_knows_another() {
 #[test]
 fn the_engine_knows_the_contract_and_no_trade() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for part in crate::ENGINE {
+    for part in super::ENGINE {
         let manifest = std::fs::read_to_string(root.join(part).join("Cargo.toml")).unwrap();
         let product = manifest.split("[dev-dependencies]").next().unwrap();
         let crates = std::fs::read_dir(root.join("stages")).unwrap();

@@ -1,6 +1,6 @@
 //! Every decoder on bytes that are almost right: an answer or an error, never a panic.
 //!
-//! Seconds each time; `TAILOR_FUZZ=1000 cargo test --release --test decoders` takes a thousand times
+//! Seconds each time; `TAILOR_FUZZ=1000 cargo test --release --test product decoders` takes a thousand times
 //! as many, and `TAILOR_FUZZ_SEED` other ones. What broke something is added to `corpus/`.
 
 mod mutate;
@@ -213,7 +213,7 @@ const FEW: retention::Budget = retention::Budget {
 /// Everything that a store reads: made by a run, then almost right.
 #[test]
 fn files_of_a_store() {
-    let place = tempfile::tempdir().unwrap();
+    let place = proof::in_memory();
     let (cache, turn) = (place.path().join("cache"), photos());
     let pipeline = "goal = \"photos\"\n[input.f]\nfiles = \"*.jpg\"\n[node.photos]\nstage = \"capture.load\"\nfrom = { files = \"@f\" }\n";
     let graph = tailor::recipe::open_text(
