@@ -20,10 +20,6 @@ pub(super) const LEAST_UPRIGHT: f64 = 0.966;
 /// An upper arm shows at least so much of itself above the elbow, as a share of stature. By hand: looked at three
 /// scans, at 0.7 and 1.4 of it: no tape changes.
 const LEAST_CLEAR: f64 = 0.025;
-/// A girth that grows by no more than this up to the knee has stopped growing; one that falls by half as much has
-/// narrowed. By hand: looked at two scans, at 0.7 and 1.4 of it: tapes move by at most 0 and 14 %, intervals change by
-/// at most 0 and 195 %.
-const FLAT_FACTOR: f64 = 1.01;
 /// How sure the level of a greatest girth is, as a share of stature: fitted on thighs and calves of the first fifty bodies of
 /// `models/made/strangers.py`, of whose intervals nine in ten then contain the truth.
 pub(super) const EXTREME: f64 = 0.0033;
@@ -111,59 +107,6 @@ pub(super) fn holds_other(limbs: &Limbs<'_>, body: &Body, side: f64, ring: &Ring
     let off = |k: &&Knot| (k.centre.z - ring.centre.z).abs();
     let near = other.knots.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
     Some(near.is_none_or(|k| inner < k.centre.coords.dot(&left)))
-}
-
-/// A calf where it is greatest between ankle and knee (ISO 8559-1 5.3.24), square to the shank: a greatest of its own, not
-/// the end of what is looked at, so that neither the knee nor a hem above it is taken.
-pub(crate) fn calf(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, Refusal> {
-    let leg = limbs.leg(side)?;
-    let down = -leg.axis(Segment::Shank).ok_or(Refusal::NoLimb)?.along;
-    let across = Across::new(limbs, leg, down, body.stature);
-    /// Steps to either side that are near. By hand: looked at three scans, at 0.7 and 1.4 of it: no tape changes.
-    const NEAR_STEPS: usize = 6;
-    let (ankle, knee) = (leg.end.s, leg.middle.s);
-    let step = 0.0025 * body.stature;
-    let (low, high) = (
-        ankle + 0.3 * (knee - ankle),
-        (knee - 0.02 * body.stature).min(leg.clear_to()),
-    );
-    let count = ((high - low) / step).max(0.0) as usize;
-    // Up to where both legs are one on the surface.
-    let own = |(_, ring): &(Plane, Ring)| holds_other(limbs, body, side, ring) != Some(true);
-    let found: Vec<(Plane, f64)> = (0..count + NEAR_STEPS)
-        .filter_map(|i| across.at(low + step * i as f64))
-        .take_while(own)
-        .map(|(plane, ring)| (plane, ring.tape))
-        .collect();
-    let most = |i: usize| {
-        found[i..=i + NEAR_STEPS]
-            .iter()
-            .map(|f| f.1)
-            .fold(0.0, f64::max)
-    };
-    let inner = NEAR_STEPS..found.len().saturating_sub(NEAR_STEPS);
-    // Between a calf and what is larger above it, the shank narrows.
-    let narrows = |i: usize| {
-        let (own, above) = (found[i].1, &found[i..]);
-        let larger = above.iter().position(|f| f.1 > own);
-        let least = |k: usize| above[..k].iter().map(|f| f.1).fold(own, f64::min);
-        larger.is_none_or(|k| (1.0 + FLAT_FACTOR) / 2.0 * least(k) <= own)
-    };
-    // Greatest of those that nothing near exceeds, to either side.
-    let peak = inner
-        .clone()
-        .filter(|i| most(*i - NEAR_STEPS).max(most(*i)) <= found[*i].1 && narrows(*i))
-        .max_by(|a, b| found[*a].1.total_cmp(&found[*b].1));
-    if let Some(peak) = peak {
-        return Ok((found[peak].0, sure(EXTREME * body.stature)));
-    }
-    // A leg that hardly narrows below its knee: where it stops growing for good.
-    let above = |i: usize| found[i..].iter().map(|f| f.1).fold(0.0, f64::max);
-    let flat = inner
-        .into_iter()
-        .find(|i| above(*i) <= FLAT_FACTOR * found[*i].1);
-    let at = flat.ok_or(Refusal::NoPeak)?;
-    Ok((found[at].0, sure(2.0 * EXTREME * body.stature)))
 }
 
 /// The part of each vertex: limbs by their own land, head above the neck; the rest is trunk.

@@ -1,5 +1,6 @@
 //! Where each girth is taken: levels from features, and planes across limbs.
 
+pub(crate) mod calf;
 pub(crate) mod custom;
 pub(crate) mod hidden;
 pub(crate) mod joints;

@@ -2,8 +2,9 @@
 
 use crate::made;
 
+use crate::nearly_touching::noisy;
 use made::{built, measured, meshed};
-use shape::{Level, Plane, Solid, SolidPart};
+use shape::{Girths, Level, Mesh, Plane, Solid, SolidPart};
 use synth::{contour, length, taut};
 
 /// The height between two at which a measure of a solid's level section is greatest. \[mm\]
@@ -48,8 +49,7 @@ fn the_hip_is_where_the_buttocks_reach_farthest_and_the_calf_where_it_is_fullest
 }
 
 /// Shanks that grow from the ankle to the knee, with a stretch on the way where they hardly do.
-#[test]
-fn a_shank_that_goes_on_growing_above_an_even_stretch_has_no_calf_there() {
+fn growing() -> Mesh {
     let mut solid = built(1700.0, 1.0, 32.0);
     let shank = [
         (100.0, 36.0),
@@ -75,9 +75,32 @@ fn a_shank_that_goes_on_growing_above_an_even_stretch_has_no_calf_there() {
         }));
         levels.extend(above);
     }
-    let girths = measured(meshed(&solid, 8.0)).1;
+    meshed(&solid, 8.0)
+}
+
+/// All above the feet higher by so much: steps up the legs begin elsewhere. \[mm\]
+fn raised(mesh: &Mesh, mm: f32) -> Mesh {
+    let mut out = mesh.clone();
+    for p in &mut out.positions {
+        p[2] += mm * ((p[2] - 40.0) / 30.0).clamp(0.0, 1.0);
+    }
+    out
+}
+
+#[test]
+fn a_calf_above_which_nothing_narrows_is_given_however_the_surface_is_moved() {
+    let mesh = growing();
+    let noise = (1..4).map(|seed| noisy(&mesh, 0.05, seed));
+    let all = noise.chain([0.0, 0.3, 1.0, 2.2].map(|mm| raised(&mesh, mm)));
+    let all: Vec<Girths> = all.map(|mesh| measured(mesh).1).collect();
     for name in ["CFC_L", "CFC_R"] {
-        let z = girths.get(name).map(|g| g.plane.point_mm[2]);
-        assert!(z.is_none_or(|z| z > 380.0), "{name} at {z:?}");
+        let tapes: Vec<f64> = all.iter().map(|g| g.get(name).unwrap().tape_mm).collect();
+        let (low, high) = tapes
+            .iter()
+            .fold((f64::MAX, 0.0f64), |e, t| (e.0.min(*t), e.1.max(*t)));
+        assert!(high / low < 1.003, "{name}: {tapes:?}");
+        let [low, high] = all[3].get(name).unwrap().interval_mm.unwrap();
+        let stretch = std::f64::consts::TAU * 46.0;
+        assert!((low..=high).contains(&stretch), "{name}: {low} to {high}");
     }
 }

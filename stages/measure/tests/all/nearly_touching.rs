@@ -18,7 +18,7 @@ fn arms(solid: &Solid) -> Solid {
 }
 
 /// The surface with an error of its own: smooth, as one of photos, so large. \[mm\]
-fn noisy(mesh: &Mesh, mm: f64, seed: u64) -> Mesh {
+pub(crate) fn noisy(mesh: &Mesh, mm: f64, seed: u64) -> Mesh {
     let mut dice = Dice(seed);
     let waves: Vec<([f64; 3], f64)> = (0..24)
         .map(|_| {
