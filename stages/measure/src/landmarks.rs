@@ -2,7 +2,7 @@
 
 use crate::features::body::Body;
 use crate::features::limb::limbs;
-use crate::features::marks::marks;
+use crate::features::marks::{Marks, marks};
 use crate::find_body::level_model;
 use crate::model::law::Place;
 use crate::model::predict::Cover;
@@ -12,6 +12,7 @@ use crate::planes::limbs::parts;
 use crate::planes::place::{across_neck, arms, legs, trunk};
 use crate::planes::trunk::Trunk;
 use crate::planes::wanted::{Waist, Wanted};
+use crate::sections::narrowest::narrowest;
 use shape::{BodyFeatures, GirthId, Landmarks, Mesh, Missing, Refusal, Side, Unit};
 use stage::{Ctx, Field, Files, Message, Mistake, Named, Stage, Stop, message};
 use std::sync::Arc;
@@ -55,7 +56,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 38;
+    const VERSION: u32 = 39;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -92,9 +93,11 @@ impl Stage for FindLandmarks {
         let model = level_model(input.levels.as_deref())?;
         let absolute = found.unit == Unit::Metric;
         let marks = marks(&body);
+        let between = |m: &Marks| (body.ground + m.hip, body.ground + m.bust);
+        let narrow = |m: &Marks| narrowest(mesh, &body, between(m));
         let reported = marks
             .as_ref()
-            .map(|m| Trunk::new(&body, m, &model, absolute));
+            .map(|m| Trunk::new(&body, m, &model, absolute, narrow(m)));
         let tall = absolute.then_some(body.stature);
         let cover = reported.as_ref().and_then(Trunk::cover);
         if let Some(word) = cover.and_then(|cover| word(cover, tall)) {

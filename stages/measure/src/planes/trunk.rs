@@ -35,15 +35,17 @@ pub(crate) struct Trunk<'a> {
     marks: &'a Marks,
     model: &'a LevelModel,
     read: Option<Readings>,
+    narrow: Option<f64>,
 }
 
 impl<'a> Trunk<'a> {
-    /// Reads a body; `absolute` is whether its lengths are millimetres.
+    /// Reads a body; `absolute` is whether its lengths are millimetres, `narrow` the height at which it is narrowest between hip and bust.
     pub(crate) fn new(
         body: &'a Body,
         marks: &'a Marks,
         model: &'a LevelModel,
         absolute: bool,
+        narrow: Option<f64>,
     ) -> Self {
         let read = readings(body, marks, absolute);
         Trunk {
@@ -51,6 +53,7 @@ impl<'a> Trunk<'a> {
             marks,
             model,
             read,
+            narrow,
         }
     }
 
@@ -100,7 +103,7 @@ impl<'a> Trunk<'a> {
 
     /// A true minimum of the trunk's tape between hip and bust.
     pub(crate) fn narrowest(&self) -> Option<Placed> {
-        narrowest(self.body, self.marks).map(|z| self.on_surface(z))
+        self.narrow.map(|z| self.on_surface(z))
     }
 
     /// How sure the hip's level is.
@@ -181,15 +184,4 @@ fn longest(body: &Body, hip: f64) -> Option<f64> {
         .filter_map(|s| Some((s.z, s.rings.first()?.tape)))
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(z, _)| z)
-}
-
-/// The height of a true minimum of the trunk's tape between hip and bust.
-fn narrowest(body: &Body, m: &Marks) -> Option<f64> {
-    let tapes: Vec<(f64, f64)> = body
-        .between(body.ground + m.hip, body.ground + m.bust)
-        .filter_map(|s| Some((s.z, s.rings.first()?.tape)))
-        .collect();
-    let least = tapes.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let ends = tapes.first()?.1.min(tapes.last()?.1);
-    (least.1 < 0.99 * ends).then_some(least.0)
 }

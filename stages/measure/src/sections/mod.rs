@@ -10,6 +10,7 @@ pub(crate) mod down_arm;
 pub(crate) mod fold;
 pub(crate) mod hands;
 pub(crate) mod lobe;
+pub(crate) mod narrowest;
 pub(crate) mod one;
 pub(crate) mod picked;
 mod seams;

@@ -32,6 +32,27 @@ fn arms_that_are_one_with_the_trunk_are_no_part_of_its_girths() {
     }
 }
 
+#[test]
+fn no_girth_of_the_trunk_is_narrower_than_the_narrowest_with_arms_at_it_or_away() {
+    let mut seen = 0;
+    for (arms_deg, cell) in [(30.0, 8.0), (10.0, 8.0), (8.0, 6.0), (7.0, 8.0)] {
+        let girths = measured(meshed(&built(1700.0, 1.0, arms_deg), cell)).1;
+        let Some(narrow) = girths.get("WC_narrowest") else {
+            continue;
+        };
+        for name in ["WC", "WC_navel", "WC_hip_bone"] {
+            let other = girths.get(name).map_or(f64::MAX, |g| g.tape_mm);
+            assert!(
+                narrow.tape_mm <= other,
+                "{name} at {arms_deg} degrees: {other} of {}",
+                narrow.tape_mm
+            );
+        }
+        seen += 1;
+    }
+    assert!(seen >= 3, "{seen}");
+}
+
 /// Upper arms that are flat at the shoulder and deep above the elbow, as muscles make them.
 #[test]
 fn an_arm_that_is_clear_is_taken_whole_whether_round_or_not() {
