@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use shape::{Alignment, Gray, Placed, Rgb, Tones, register, registered};
 
 /// Photos of a turn are of the same exposure where ratios are off one by less than this: 0.43 levels of the middle of
-/// [`COMPARED_LEVELS`] (structural: `changes` leaves out what changes less than half a level).
+/// [`COMPARED_LEVELS`], of which half a level counts. By hand: not on record.
 const SAME_EXPOSURE: f32 = 0.003;
 /// Levels by which exposures are compared. By hand: not on record.
 const COMPARED_LEVELS: std::ops::Range<usize> = 40..248;

