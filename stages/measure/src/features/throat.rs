@@ -106,24 +106,27 @@ fn marks(t: &mut NeckProfile, tightest: usize) {
         far.unwrap_or(last)
     };
     let chin = farthest(&t.front);
-    let (k, deep) = deepest(&t.at, &t.front, 0, chin);
-    t.hollow = (t.at[k], deep);
-    let (k, deep) = deepest(&t.at, &t.front, k, chin);
-    t.angle = (t.at[k], deep);
+    let (k, hollow) = deepest(&t.at, &t.front, 0, chin);
+    t.hollow = hollow;
+    t.angle = deepest(&t.at, &t.front, k, chin).1;
     let behind: Vec<f64> = t.back.iter().map(|b| -b).collect();
-    let (k, _) = deepest(&t.at, &behind, 0, farthest(&behind));
-    t.nape = t.at[k];
+    t.nape = deepest(&t.at, &behind, 0, farthest(&behind)).1.0;
 }
 
-/// The place farthest within the line between two places, and how far.
-fn deepest(at: &[f64], reach: &[f64], from: usize, to: usize) -> (usize, f64) {
+/// The row farthest within the line between two places; where that is, between rows, and how far it is there.
+fn deepest(at: &[f64], reach: &[f64], from: usize, to: usize) -> (usize, (f64, f64)) {
     let (up, out) = (at[to] - at[from], reach[to] - reach[from]);
     let long = libm::hypot(up, out).max(1e-9);
     let within = |k: usize| (out * (at[k] - at[from]) - up * (reach[k] - reach[from])) / long;
-    (from..=to)
-        .map(|k| (k, within(k)))
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .unwrap_or((from, 0.0))
+    let most = (from..=to).max_by(|a, b| within(*a).total_cmp(&within(*b)));
+    let k = most.unwrap_or(from);
+    let mut place = at[k];
+    if k > from && k < to {
+        // The top of the parabola through three rows.
+        let (low, high) = (within(k) - within(k - 1), within(k) - within(k + 1));
+        place += (at[k + 1] - at[k]) * (low - high) / (2.0 * (low + high)).max(f64::MIN_POSITIVE);
+    }
+    (k, (place, within(k)))
 }
 
 #[cfg(test)]
@@ -147,7 +150,24 @@ mod tests {
             ..NeckProfile::default()
         };
         marks(&mut t, 75);
-        assert_eq!((t.hollow.0, t.angle.0, t.nape), (-50.0, 40.0, 10.0));
+        // Corners are within half a row.
+        for (got, corner) in [(t.hollow.0, -50.0), (t.angle.0, 40.0), (t.nape, 10.0)] {
+            proof::near(got, corner, 1.0);
+        }
         assert!(t.hollow.1 > 20.0 && t.angle.1 > 10.0);
+    }
+
+    #[test]
+    fn a_mark_does_not_jump_from_row_to_row() {
+        // A throat that bends evenly, read in rows that begin ever farther along.
+        let bend = |u: f64| 0.01 * u * u;
+        let place = |off: f64| {
+            let at: Vec<f64> = (0..40).map(|k| 2.0 * f64::from(k) + off).collect();
+            let reach: Vec<f64> = at.iter().map(|u| bend(*u)).collect();
+            // Of the same piece, however rows are laid.
+            deepest(&at, &reach, 0, 39).1.0 - off
+        };
+        // Midway between both ends, as on every parabola.
+        (0..20).for_each(|k| proof::near(place(0.1 * f64::from(k)), 39.0, 1e-6));
     }
 }
