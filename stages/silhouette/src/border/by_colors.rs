@@ -5,7 +5,7 @@ use crate::border::tiles::{band, of_small, settled};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::by_colors::{ByColors, costs};
 use crate::label::color_cut::{Settings, cut};
-use crate::label::parts::filled;
+use crate::label::parts::without_specks;
 use crate::raster::raster;
 use shape::{Mask, Rgb};
 
@@ -30,5 +30,5 @@ pub(crate) fn fine_by_colors(
         &known,
     );
     let fine = raster(photo.width, photo.height, fine);
-    coverage(&filled(&fine, &|_| 0.0))
+    coverage(&without_specks(&fine))
 }

@@ -11,7 +11,7 @@ use crate::likelihood::grounds::Grounds;
 use crate::likelihood::mirror::mirroring;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
 use crate::scene::backdrop::Backdrop;
-use shape::{Image, Mask, Rgb};
+use shape::{Image, Mask, Rgb, largest_part};
 use std::ops::Range;
 
 /// Half the side of neighbourhoods. By hand: not on record. \[px\]
@@ -69,8 +69,7 @@ pub fn fine(
         let odds = |x: usize, y: usize| settled.between(&ready.person, x, y);
         follow(&mut sides, &likeness, without, gmm, &odds);
     }
-    let small = |i: usize| settled.small(i % width, i / width);
-    soft_border(pixels, image, &ready.body_of(&sides, &small), noise)
+    soft_border(pixels, image, &largest_part(&sides), noise)
 }
 
 /// What the coarse cut leaves open: its border, where nothing was certain before.
@@ -98,12 +97,6 @@ impl Settled {
             known,
             near,
         }
-    }
-
-    /// The coarse pixel of a pixel.
-    fn small(&self, x: usize, y: usize) -> usize {
-        let (x, y) = (x / self.factor, y / self.factor);
-        y.min(self.known.height - 1) * self.known.width + x.min(self.known.width - 1)
     }
 
     fn at(&self, x: usize, y: usize) -> Known {

@@ -2,7 +2,7 @@
 
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
-use crate::label::parts::filled;
+use crate::label::parts::without_specks;
 use crate::likelihood::gmm::Gmm;
 use crate::raster::raster;
 use shape::{Image, Rgb};
@@ -52,8 +52,7 @@ pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Op
     }
     let (ground, own) = learnt?;
     let sides = raster(small.width, small.height, body);
-    // No hole is filled for its colours: they are all that is known.
-    let sides = filled(&sides, &|_| 0.0);
+    let sides = without_specks(&sides);
     sides
         .data
         .contains(&true)

@@ -8,7 +8,7 @@ use crate::likelihood::person::{SURE, with_person};
 use crate::likelihood::prepared::Prepared;
 use crate::params::CutParams;
 use crate::raster::raster;
-use shape::{Image, Rgb};
+use shape::{Image, Rgb, largest_part};
 
 /// How to cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +80,7 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
         gmm = Some(fitted);
     }
     let sides = raster(photo.width, photo.height, body);
-    Some((ready.body_of(&sides, &|i| i), gmm?))
+    Some((largest_part(&sides), gmm?))
 }
 
 /// Cuts a window: true is body. What pixels cost as background, the log-odds of the body by a person's sense (empty where
