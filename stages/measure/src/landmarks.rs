@@ -56,7 +56,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 40;
+    const VERSION: u32 = 41;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;

@@ -29,6 +29,18 @@ pub(crate) fn holds_hand(body: &Body, ring: &Ring, side: f64) -> bool {
     runs_into(body, &above, ring, side) || runs_into(body, &below, ring, side)
 }
 
+/// Whether the arm of a side (1 left, -1 right) is too far from a level section to be in it: it is clear in a slice within a
+/// hand's length of that height, and in the nearest such slice it is farther than a hand is long from all of the section.
+pub(crate) fn out_of_reach(body: &Body, section: &Ring, side: f64) -> bool {
+    let (z, far) = (section.centre.z, HAND_SHARE * body.stature);
+    let clear = body
+        .between(z - far, z + far)
+        .filter_map(|s| arm_ring(body, &s.rings, side));
+    let off = |r: &&Ring| (r.centre.z - z).abs();
+    let nearest = clear.min_by(|a, b| off(a).total_cmp(&off(b)));
+    nearest.is_some_and(|arm| section.curve.iter().all(|p| (p - arm.centre).norm() > far))
+}
+
 /// Whether the arm that is clear in one of these slices, the nearest to a section first, runs
 /// into a larger ring toward the section, and is in it.
 fn runs_into(body: &Body, slices: &[&Slice], section: &Ring, side: f64) -> bool {
@@ -74,4 +86,71 @@ pub(crate) fn holds(ring: &Ring, p: Point3<f64>) -> bool {
         }
     }
     inside
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+    use shape::{BodyFeatures, Unit};
+
+    fn disk(x: f64, z: f64, radius: f64) -> Ring {
+        let point = |k: u32| {
+            let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / 90.0);
+            Point3::new(x + radius * c, radius * s, z)
+        };
+        let area = std::f64::consts::PI * radius * radius;
+        Ring {
+            curve: (0..90).map(point).collect(),
+            area,
+            tape: 2.0 * area / radius,
+            centre: Point3::new(x, 0.0, z),
+        }
+    }
+
+    /// A trunk of 150 mm, and a wrist at 400 mm that ends at a height of 1000.
+    fn body(wrist: f64) -> Body {
+        let slices = (800..1300).step_by(5).map(|z| {
+            let z = f64::from(z);
+            let arm = (z >= 1000.0).then(|| disk(wrist, z, 30.0));
+            let rings = [disk(0.0, z, 150.0)].into_iter().chain(arm).collect();
+            Slice { z, rings }
+        });
+        Body {
+            shown: BodyFeatures {
+                unit: Unit::Metric,
+                refused: None,
+                ground: 0.0,
+                grounded: true,
+                stature: 1750.0,
+                stature_sigma: None,
+                front: -Vector3::y(),
+                front_is_sure: true,
+                crotch: Some(800.0),
+                legs_join: Some(800.0),
+                whole: true,
+                carved: false,
+                hip: None,
+                neck: None,
+            },
+            left: Vector3::x(),
+            slices: slices.collect(),
+        }
+    }
+
+    #[test]
+    fn an_arm_that_ends_far_from_the_hip_is_not_in_it_and_one_that_ends_beside_it_may_be() {
+        let hip = disk(0.0, 950.0, 150.0);
+        assert!(out_of_reach(&body(400.0), &hip, 1.0));
+        assert!(
+            !out_of_reach(&body(300.0), &hip, 1.0),
+            "a hand reaches so far"
+        );
+        assert!(!out_of_reach(&body(400.0), &hip, -1.0), "no arm is known");
+        let below = disk(0.0, 770.0, 150.0);
+        assert!(
+            !out_of_reach(&body(400.0), &below, 1.0),
+            "too far down to tell"
+        );
+    }
 }

@@ -11,7 +11,7 @@ use crate::geometry::spline::closed_spline_length;
 use crate::sections::across_arm::across_arm;
 use crate::sections::across_arm_of_hull::across_arm_of_hull;
 use crate::sections::across_leg::across_leg;
-use crate::sections::hands::{holds, holds_hand};
+use crate::sections::hands::{holds, holds_hand, out_of_reach};
 use crate::sections::lobe::lobe;
 use crate::sections::one::{
     FUSED, HAND, NO_ARMS, NOTHING, SectionMeasurement, Why, nearest, plain,
@@ -144,7 +144,8 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
     };
     let known = |side: f64| fused.iter().any(|arm| arm.side == side);
     let hangs = |side: &f64| {
-        let hidden = !known(*side) && !is_clear(body, z, *side);
+        let hidden =
+            !known(*side) && !is_clear(body, z, *side) && !out_of_reach(body, &ring, *side);
         hidden && lobe(body, &ring, *side).is_some_and(|turned| turned > least)
     };
     let hanging: Vec<f64> = [1.0, -1.0].into_iter().filter(hangs).collect();
