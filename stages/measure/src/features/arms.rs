@@ -122,7 +122,6 @@ pub fn upper_arm_axis(body: &Body, side: f64, hip: f64) -> Option<Axis> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shape::{BodyFeatures, Unit};
 
     fn ring(x: f64, z: f64, radius: f64) -> Ring {
         let area = std::f64::consts::PI * radius * radius;
@@ -147,26 +146,9 @@ mod tests {
             let rings = [ring(0.0, z, 150.0)].into_iter().chain(arm).collect();
             Slice { z, rings }
         });
-        Body {
-            shown: BodyFeatures {
-                unit: Unit::Metric,
-                refused: None,
-                ground: 0.0,
-                grounded: true,
-                stature: 1750.0,
-                stature_sigma: None,
-                front: -Vector3::y(),
-                front_is_sure: true,
-                crotch: Some(850.0),
-                legs_join: Some(850.0),
-                whole: true,
-                carved: false,
-                hip: None,
-                neck: Some(1550.0),
-            },
-            left: Vector3::x(),
-            slices: slices.collect(),
-        }
+        let mut body = Body::of_slices(slices.collect());
+        body.neck = Some(1550.0);
+        body
     }
 
     #[test]

@@ -271,3 +271,30 @@ pub fn nearest_ring(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
         .into_iter()
         .min_by(|a, b| far(a).total_cmp(&far(b)))
 }
+
+#[cfg(test)]
+impl Body {
+    /// For tests: a whole body of 1750 mm that looks along -y, of these slices, nothing else of which was found.
+    pub(crate) fn of_slices(slices: Vec<Slice>) -> Body {
+        Body {
+            shown: BodyFeatures {
+                unit: shape::Unit::Metric,
+                refused: None,
+                ground: 0.0,
+                grounded: true,
+                stature: 1750.0,
+                stature_sigma: None,
+                front: -Vector3::y(),
+                front_is_sure: true,
+                crotch: None,
+                legs_join: None,
+                whole: true,
+                carved: false,
+                hip: None,
+                neck: None,
+            },
+            left: Vector3::x(),
+            slices,
+        }
+    }
+}

@@ -91,8 +91,6 @@ pub(crate) fn holds(ring: &Ring, p: Point3<f64>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::Vector3;
-    use shape::{BodyFeatures, Unit};
 
     fn disk(x: f64, z: f64, radius: f64) -> Ring {
         let point = |k: u32| {
@@ -116,26 +114,7 @@ mod tests {
             let rings = [disk(0.0, z, 150.0)].into_iter().chain(arm).collect();
             Slice { z, rings }
         });
-        Body {
-            shown: BodyFeatures {
-                unit: Unit::Metric,
-                refused: None,
-                ground: 0.0,
-                grounded: true,
-                stature: 1750.0,
-                stature_sigma: None,
-                front: -Vector3::y(),
-                front_is_sure: true,
-                crotch: Some(800.0),
-                legs_join: Some(800.0),
-                whole: true,
-                carved: false,
-                hip: None,
-                neck: None,
-            },
-            left: Vector3::x(),
-            slices: slices.collect(),
-        }
+        Body::of_slices(slices.collect())
     }
 
     #[test]
