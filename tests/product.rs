@@ -4,6 +4,10 @@
 
 #[path = "book/main.rs"]
 mod book;
+// Tests of other pages use more of it.
+#[allow(dead_code)]
+#[path = "../stages/report/tests/chromium/mod.rs"]
+mod chromium;
 mod cluster;
 mod decoders;
 mod fingerprints;

@@ -1,9 +1,5 @@
 //! What the program makes of captures: pipelines, results beside each other, pages, formats.
 
-// Tests of other pages use more of it.
-#[allow(dead_code)]
-#[path = "../../stages/report/tests/chromium/mod.rs"]
-mod chromium;
 mod comparisons;
 mod films;
 mod formats;
@@ -20,6 +16,7 @@ mod synth;
 #[path = "../../stages/report/tests/tube/mod.rs"]
 mod tube;
 
+use super::chromium;
 use std::path::Path;
 
 /// Runs the program with a cache: its exit code, and what it prints.

@@ -20,6 +20,4 @@ mod whole;
 mod windows;
 
 #[cfg(chromium)]
-#[allow(dead_code)]
-#[path = "../../stages/report/tests/chromium/mod.rs"]
-mod chromium;
+use super::chromium;
