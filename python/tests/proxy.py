@@ -1,5 +1,6 @@
 """A proxy before an S3 server that fails as it is told: errors, answers cut off, a server that is gone, other bytes."""
 
+import contextlib
 import http.client
 import http.server
 import random
@@ -20,6 +21,8 @@ class Proxy(http.server.ThreadingHTTPServer):
         self.gone = self.lies = False
         self.answer = self.hold = None
         self.requests = []
+        # The server looks whether an object is there and creates it in two steps; S3 does it in one.
+        self.creating = threading.Lock()
         threading.Thread(target=self.serve_forever, daemon=True).start()
 
     @property
@@ -69,10 +72,11 @@ class Handler(http.server.BaseHTTPRequestHandler):
         if proxy.dice.random() < proxy.errors:
             self.send(500, b"<Error><Code>InternalError</Code></Error>")
             return
-        to = http.client.HTTPConnection("127.0.0.1", proxy.to, timeout=30)
-        to.request(self.command, self.path, body, dict(self.headers))
-        got = to.getresponse()
-        answer = got.read()
+        with proxy.creating if self.headers.get("If-None-Match") else contextlib.nullcontext():
+            to = http.client.HTTPConnection("127.0.0.1", proxy.to, timeout=30)
+            to.request(self.command, self.path, body, dict(self.headers))
+            got = to.getresponse()
+            answer = got.read()
         if proxy.lies and self.command == "GET" and "/cas/" in self.path and got.status == 200:
             answer = bytes([answer[0] ^ 1]) + answer[1:]
         own = ("content-length", "transfer-encoding", "connection", "date", "server")
