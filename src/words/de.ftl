@@ -671,13 +671,6 @@ warn-kept-body = Umrisse zeigen auf { $names } Körper, wo ein gelernter Blick a
 warn-large-step = zwischen { $before } und { $after } hat sich die Scheibe um { $turn } gedreht, nicht um { $usual }: Fehlt dort ein Foto?
 warn-lengths = bekannte Längen widersprechen einander: eine davon berichtigen oder weglassen
 warn-light = die Oberfläche fasst { $holds }, ein Körper von { $weight } füllt etwa { $fills }: { $missing } des Volumens fehlen; die Umrisse ansehen, Maßstab und Gewicht prüfen
-warn-like-scene = { $part ->
-    [head] Kopf
-    [arms] Arme
-    [legs] Beine
-    [feet] Füße
-   *[trunk] Rumpf
-} und leere Szene sehen am Umriss auf { $names } gleich aus: Umrisse lassen dort vielleicht Körper weg oder behalten etwas von der Szene; diese Umrisse ansehen und etwas in einer anderen Farbe tragen
 warn-lost = { $name } (Foto { $number }) hat keine Kamera: { $why }
 warn-lost-arm = Umrisse lassen einen Arm oder einen Teil davon auf { $names } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen
 warn-lost-head = Umrisse lassen den Kopf oder einen Teil davon auf { $names } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen

@@ -417,7 +417,6 @@ warn-hull-pieces = the hull is in pieces: only the largest was kept, and { $left
 warn-incomplete = a large part of the body is missing on the surface: look at the outlines
 warn-kept-body = outlines have body on { $names } where a learned sense of a person sees none: look at these outlines
 warn-light = the surface holds { $holds }, a body of { $weight } fills about { $fills }: { $missing } of the volume are missing; look at the outlines, and check scale and weight
-warn-like-scene = { $part } and empty scene look alike along the outline on { $names }: outlines may leave out body there, or keep some of the scene; look at these outlines, and wear another colour
 warn-lost-arm = outlines leave out an arm or a part of it on { $names }, where a learned sense of a person sees it: look at these outlines
 warn-lost-head = outlines leave out the head or a part of it on { $names }, where a learned sense of a person sees it: look at these outlines
 warn-lost-leg = outlines leave out a leg or a part of it on { $names }, where a learned sense of a person sees it: look at these outlines

@@ -11,7 +11,7 @@
 //! | [`EmptyScene`] (`empty_scene/`) | photos, aligned, scene, people | `scene` | the empty scene out of all photos, where it is unknown; with it the bodies on which photos agree |
 //! | [`Likelihood`] (`likelihood/`) | photos, aligned, scene, people | `evidence` | what each reduced pixel costs as background, and what is certain |
 //! | [`Label`] (`label/`) | aligned, scene, evidence | `labels` | body or background of each reduced pixel, all photos together |
-//! | [`Border`] (`border/`) | all of these, people | `masks` | the border again at full size; parts of a person that look like the scene along it are named |
+//! | [`Border`] (`border/`) | all of these, people | `masks` | the border again at full size |
 //!
 //! `scene/` is what an empty scene is (what does not move, and the disk, which turns), `cut/` the solver. [`GrabCut`]
 //! runs the six in one, for pipelines that name it. [`Import`] takes masks of somebody else, [`Walk`] (`walk/`) finds
@@ -115,7 +115,6 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
 
 /// Every kind of message of this crate.
 pub const MESSAGES: &[&[stage::Template]] = &[
-    border::like_scene::MESSAGES,
     import::MESSAGES,
     empty_scene::stage::MESSAGES,
     walk::MESSAGES,

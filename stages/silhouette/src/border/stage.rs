@@ -3,7 +3,6 @@
 use crate::align::cameras::aligned_alike;
 use crate::border::by_colors::fine_by_colors;
 use crate::border::full_size::fine;
-use crate::border::like_scene::like_scene;
 use crate::border::returned::returned;
 use crate::label::between_photos::Agreement;
 use crate::label::by_colors::ByColors;
@@ -43,7 +42,7 @@ stage::inputs! {
         evidence: Arc<Evidence>,
         /// Body or background of each reduced pixel.
         labels: Arc<Labels>,
-        /// Where a person is, by a learned sense of one: where the floor is, and parts of the body that look like the scene.
+        /// Where a person is, by a learned sense of one: it tells where the floor is.
         people: Option<Arc<People>>,
     }
 }
@@ -91,10 +90,6 @@ impl Stage for Border {
             .par_iter()
             .map(one)
             .collect::<Result<Vec<_>, Stop>>()?;
-        if let Some(people) = &input.people {
-            let alike = like_scene(&input.photos, &input.evidence, &input.labels, people);
-            alike.into_iter().for_each(|w| ctx.warn(w));
-        }
         Ok(Masks {
             views: views.into_iter().flatten().collect(),
         })
