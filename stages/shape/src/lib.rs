@@ -113,7 +113,7 @@ pub use pixels::{gray_from_file, gray_to_png, rgb_to_jpeg, rgb_to_png};
 pub use placed::{Placed, cubic_weights};
 pub use ply::{PlyError, mesh_from_ply, mesh_to_ply};
 pub use refusal::Refusal;
-pub use register::register;
+pub use register::{QUIET_SHARE, QUIET_SIGMAS, register};
 pub use registered::{median, registered};
 pub use rig::{CONTRADICTION, GIVEN_STATURE, Mat, Reference, Rig, Rim, SeenEnds};
 pub use ring::cameras_to_svg;

@@ -13,9 +13,11 @@ const COARSEST: usize = 100;
 const STEPS: usize = 12;
 /// Steps below this are the last (structural: a search's end). \[px\]
 const SMALL: f64 = 0.002;
-/// Share of the pixels whose residuals give the noise: at least so many do not move (structural: any share of them that
-/// is still; its deviation is derived, for as large a share of a normal distribution is within 0.5244 of it).
-const QUIET_SHARE: f64 = 0.4;
+/// Share of the pixels whose differences give the noise: at least so many do not move (structural: any share of them that
+/// is still).
+pub const QUIET_SHARE: f64 = 0.4;
+/// Within so many standard deviations of its mean is that share of a normal variable (derived: Φ(0.5244) = 0.7).
+pub const QUIET_SIGMAS: f64 = 0.5244;
 /// Tukey's bound in standard deviations (Beaton and Tukey 1974, for 95 % efficiency).
 const BOUND: f64 = 4.685;
 /// Least standard deviation of a pixel: that of rounding, 1/√12 = 0.29 (derived). \[levels\]
@@ -140,8 +142,7 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
     let mut far: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
     let quiet = (far.len() as f64 * QUIET_SHARE) as usize;
     let (_, quiet, _) = far.select_nth_unstable_by(quiet, f64::total_cmp);
-    // Two fifths of a normal distribution are within 0.524 standard deviations.
-    let bound = BOUND * (*quiet / 0.5244).max(LEAST_NOISE_LEVELS);
+    let bound = BOUND * (*quiet / QUIET_SIGMAS).max(LEAST_NOISE_LEVELS);
     let middle = [(w as f64 - 1.0) / 2.0, (h as f64 - 1.0) / 2.0];
     let half = libm::hypot(middle[0], middle[1]);
     let (mut normal, mut right) = (SMatrix::<f64, 5, 5>::zeros(), SVector::<f64, 5>::zeros());

@@ -2,7 +2,7 @@
 //! background do not.
 
 use rayon::prelude::*;
-use shape::{Gray, Image, Photo, PhotoError, Photos, registered};
+use shape::{Gray, Image, Photo, PhotoError, Photos, QUIET_SHARE, QUIET_SIGMAS, registered};
 
 /// Size to which photos are reduced (structural: a region's border is then known to a 400th of the photo, an eighth of
 /// what `JOINED_SHARE` adds to it). \[px\]
@@ -10,9 +10,6 @@ const LONGEST_PX: usize = 400;
 /// A pixel changes where it differs by more than so many standard deviations of the noise, and levels. By hand: not on
 /// record.
 const CHANGES_BEYOND: (f32, f32) = (5.0, 6.0);
-/// Share of the pixels whose differences give the noise (structural: any share of them that does not change; its
-/// deviation is derived, for as large a share of a normal distribution is within 0.5244 of it).
-const QUIET_SHARE: f64 = 0.4;
 /// Reach to which what changes is joined, as a share of the longer side. By hand: not on record.
 const JOINED_SHARE: f64 = 0.02;
 /// Longest gap in a row that is closed, as a share of the longer side. By hand: not on record.
@@ -50,7 +47,7 @@ fn regions(smalls: &[Gray]) -> Option<Vec<Image<bool>>> {
             let mut sorted = off.clone();
             let quiet = (off.len() as f64 * QUIET_SHARE) as usize;
             let (_, quiet, _) = sorted.select_nth_unstable_by(quiet, f32::total_cmp);
-            let least = (CHANGES_BEYOND.0 * *quiet / 0.5244).max(CHANGES_BEYOND.1);
+            let least = (CHANGES_BEYOND.0 * *quiet / QUIET_SIGMAS as f32).max(CHANGES_BEYOND.1);
             Image {
                 width: still.width,
                 height: still.height,

@@ -1,7 +1,7 @@
 //! Noise of a photo against the background that is expected of it, measured.
 
 use crate::likelihood::grounds::Ground;
-use shape::Rgb;
+use shape::{QUIET_SHARE, QUIET_SIGMAS, Rgb};
 
 /// What a pixel that matches the background to the level costs: -ln of the greatest density of a normal distribution of
 /// 1.8 levels (3/2 ln 2π + 3 ln 1.8). By hand: not on record. \[nats\]
@@ -20,9 +20,6 @@ pub(crate) const SHADED_LIGHT: f32 = 0.04;
 /// By how much less the mean of a neighbourhood is noisy than a pixel, at least. By hand: looked at it for all photos,
 /// before that was measured (docs/lab/masks.md): equal bytes on four scenes; noisy photos lose more.
 const QUIETER_FACTOR: f32 = 2.5;
-/// The quantile that is taken (structural: any that the subject does not cover), and where it is for the absolute value
-/// of a normal variable (derived: Φ(0.5244) = 0.7).
-const QUANTILE: (f32, f32) = (0.4, 0.5244);
 
 /// Standard deviations of photo and background against each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -173,19 +170,19 @@ impl Counts {
         self.classes[((off * self.units) as usize).min(1023)] += 1;
     }
 
-    /// Standard deviation, by the quantile below which 0.4 of a normal distribution's are. `None` for too few.
+    /// Standard deviation, by the quantile below which [`QUIET_SHARE`] of a normal distribution's are. `None` for too few.
     fn sigma(&self) -> Option<f32> {
         let total: u32 = self.classes.iter().sum();
         if total < 300 {
             return None;
         }
-        let want = total as f32 * QUANTILE.0;
+        let want = total as f32 * QUIET_SHARE as f32;
         let mut below = 0.0;
         for (class, count) in self.classes.iter().enumerate() {
             let here = *count as f32;
             if below + here >= want {
                 let quantile = (class as f32 + (want - below) / here) / self.units;
-                return Some(quantile / QUANTILE.1 * UNEVEN_FACTOR);
+                return Some(quantile / QUIET_SIGMAS as f32 * UNEVEN_FACTOR);
             }
             below += here;
         }
