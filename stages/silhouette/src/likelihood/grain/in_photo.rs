@@ -1,7 +1,7 @@
 //! The grain of the disk, of the floor around it and of walls in one photo, where the scene behind it is known at full size.
 //!
-//! How much of a bare ground is usually left is learned from the photo itself: more where the map is
-//! rough, for no map fits a photo quite exactly, nor is it as sharp.
+//! How much of a bare ground is usually left is learned from the photo itself, for no map fits a photo quite exactly, nor is
+//! it as sharp.
 
 use super::window::Laid;
 use super::{LEAST_LEFT_OVER, has, unlikely};
@@ -21,9 +21,7 @@ use shape::Rgb;
 const BARE_NATS: f32 = 3.0;
 /// How far windows are from each other on disk and floor, where shadows end within one, and on walls (structural: samples).
 const APART: [usize; 2] = [1, 2];
-/// Classes of places, from smooth to rough, of equal size (structural: samples).
-const CLASSES: usize = 12;
-/// Fewer bare places of a class give no median (structural: samples).
+/// Fewer bare places give no median (structural: samples).
 const FEW: usize = 40;
 
 /// Raises what pixels cost as the disk, the floor or a wall where they lack its grain, and keeps by how much: on the ground
@@ -39,10 +37,11 @@ pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
     let body = colors_above(ready, &disk);
     ready.strange = vec![0.0; ready.cost.len()];
     for places in [disk, floor, walls] {
-        let usual = Usual::of(places.iter().flatten());
+        let Some(usual) = usual(places.iter().flatten()) else {
+            continue;
+        };
         for (i, place) in places.iter().enumerate() {
-            let times = place.and_then(|p| Some(p.left / usual.at(p.rough)?));
-            let strange = times.map_or(0.0, |times| unlikely(times).min(CAP));
+            let strange = place.map_or(0.0, |p| unlikely(p.left / usual).min(CAP));
             if strange > 0.0 && has(body.as_ref(), ready.small.data[i]) {
                 ready.strange[i] = strange;
                 ready.raise(i, strange);
@@ -85,15 +84,14 @@ fn places(
     let width = ready.small.width;
     let shows = |i: usize| on(i % width, i / width) && ready.cost[i] != UNSEEN;
     let laid = Laid::new(&ready.small, map, shows);
-    let place = |(i, (left, rough)): (usize, (f32, f32))| {
+    let place = |(i, left): (usize, f32)| {
         (left < f32::MAX).then(|| Place {
             left,
-            rough,
             bare: ready.cost[i] < FLAT + BARE_NATS,
         })
     };
-    let both = laid.left_over(apart).data.into_iter().zip(laid.rough());
-    both.enumerate().map(place).collect()
+    let all = laid.left_over(apart).data.into_iter();
+    all.enumerate().map(place).collect()
 }
 
 /// The colours of what is evidently not the scene behind, above the disk: there a shadow may look evident.
@@ -114,42 +112,13 @@ fn colors_above(ready: &Prepared, places: &[Option<Place>]) -> Option<Gmm> {
 struct Place {
     /// What the best light leaves. \[levels²\]
     left: f32,
-    /// How rough the map is there. \[levels²\]
-    rough: f32,
     /// Whether it would do as the ground by its colour.
     bare: bool,
 }
 
-/// What is usually left of a bare ground, by how rough its map is.
-struct Usual {
-    /// Upper ends of classes, and the median of what is left in each. \[levels²\]
-    classes: Vec<(f32, f32)>,
-}
-
-impl Usual {
-    fn of<'a>(places: impl Iterator<Item = &'a Place>) -> Self {
-        let bare = places.filter(|p| p.bare).map(|p| (p.rough, p.left));
-        let mut bare: Vec<(f32, f32)> = bare.collect();
-        bare.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        let each = bare.len().div_ceil(CLASSES).max(FEW);
-        let class = |some: &[(f32, f32)]| {
-            let mut left: Vec<f32> = some.iter().map(|w| w.1).collect();
-            left.sort_by(f32::total_cmp);
-            (
-                some[some.len() - 1].0,
-                left[left.len() / 2].max(LEAST_LEFT_OVER),
-            )
-        };
-        let full = bare.chunks(each).filter(|some| some.len() >= FEW);
-        Usual {
-            classes: full.map(class).collect(),
-        }
-    }
-
-    /// Where the map is so rough. `None` where too little of it is bare.
-    fn at(&self, rough: f32) -> Option<f32> {
-        let class = self.classes.partition_point(|(end, _)| *end < rough);
-        let class = self.classes.get(class).or(self.classes.last())?;
-        Some(class.1)
-    }
+/// What is usually left of a bare ground: the median. `None` where too little of it is bare. \[levels²\]
+fn usual<'a>(places: impl Iterator<Item = &'a Place>) -> Option<f32> {
+    let mut bare: Vec<f32> = places.filter(|p| p.bare).map(|p| p.left).collect();
+    bare.sort_by(f32::total_cmp);
+    (bare.len() >= FEW).then(|| bare[bare.len() / 2].max(LEAST_LEFT_OVER))
 }

@@ -34,12 +34,6 @@ impl Pixel {
         let square = |c: usize| off(c) * off(c);
         square(0) + square(1) + square(2)
     }
-
-    /// The square of what a shift by a part of a pixel may change, all channels together. \[levels²\]
-    fn rough(&self) -> f32 {
-        let square = |c: usize| (self.hi[c] - self.lo[c]) * (self.hi[c] - self.lo[c]);
-        square(0) + square(1) + square(2)
-    }
 }
 
 impl Laid {
@@ -86,19 +80,6 @@ impl Laid {
         }
     }
 
-    /// How rough the map is around each pixel: the mean square of what a shift by a part of a pixel may
-    /// change, all channels together. \[levels²\]
-    pub(super) fn rough(&self) -> Vec<f32> {
-        let own = self.pixels.iter().map(Option::as_ref);
-        let own = own.map(|pixel| pixel.map_or([0.0; 2], |pixel| [pixel.rough(), 1.0]));
-        // Along rows, then down columns.
-        let rows = summed(own.collect(), self.width, 1);
-        let sums = summed(rows, self.pixels.len() / self.width.max(1), self.width);
-        sums.iter()
-            .map(|[sum, count]| sum / count.max(1.0))
-            .collect()
-    }
-
     /// The pixels of the window around a pixel that are on the ground, row by row.
     fn window<'a>(&'a self, i: usize, into: &mut Vec<(usize, &'a Pixel)>) {
         let (x, y) = (i % self.width, i / self.width);
@@ -141,19 +122,6 @@ impl Laid {
         left.extend(squares);
         true
     }
-}
-
-/// The sums of what is within [`REACH`] along lines of `long` values, one of which is `step` places after the other.
-fn summed(values: Vec<[f32; 2]>, long: usize, step: usize) -> Vec<[f32; 2]> {
-    let one = |i: usize| {
-        let at = i / step % long;
-        let (back, on) = (at.min(REACH), (long - 1 - at).min(REACH));
-        let line = (i - back * step..=i + on * step).step_by(step);
-        line.fold([0.0; 2], |sum, k| {
-            [sum[0] + values[k][0], sum[1] + values[k][1]]
-        })
-    };
-    (0..values.len()).map(one).collect()
 }
 
 fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
