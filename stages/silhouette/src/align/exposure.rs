@@ -15,7 +15,8 @@ const BIN_WIDTH: f32 = 0.01;
 const TELLING_LEVELS: std::ops::RangeInclusive<u8> = 40..=248;
 /// Share of the telling pixels that must keep to the ratio. By hand: not on record.
 const KEEPING_SHARE: f32 = 0.12;
-/// How far from the ratio a pixel keeps to it, as a share, in two rounds. By hand: not on record.
+/// How far from the ratio a pixel keeps to it, as a share, in two rounds. By hand: looked at scene 131 with a plate, no
+/// curve: mean IoU +0.0000, its waist +0.06 %.
 const KEEPS_WITHIN: [f32; 2] = [0.06, 0.03];
 /// Steps of the plate's levels in which the curve is found (structural: samples, between which it is straight).
 const LEVEL_STEP: usize = 16;

@@ -10,10 +10,15 @@ use crate::likelihood::background::Noise;
 use crate::raster::as_mask;
 use shape::{Image, Mask, Rgb};
 
-/// Half the side of the neighbourhood in which the body's colour is sought. By hand: not on record. \[px\]
+/// Half the side of the neighbourhood in which the body's colour is sought. By hand: looked at scene 131 with a plate,
+/// at 3 and 6: mean IoU +0.0006 and −0.0006. \[px\]
 const REACH_PX: usize = 4;
-/// Pixels this far from the border show one side only. By hand: not on record. \[px\]
+/// Pixels this far from the border show one side only. By hand: looked at scene 131 with a plate, at 1 and 3: mean IoU
+/// −0.0018 and −0.0013. \[px\]
 const MIXED_PX: i32 = 2;
+/// Body and background that differ by so much of the noise are believed as much as the cut's own border. By hand: looked at
+/// scene 131 with a plate, at 0.7 and 1.4 of it: mean IoU −0.0001 and +0.0002.
+const BELIEVED_NOISES: f32 = 8.0;
 
 /// Coverage of every pixel: 0 or 255 but at the border, where it follows from colours.
 pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
@@ -36,7 +41,7 @@ pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise
                 length += step * step;
             }
             let share = (along / length.max(1.0)).clamp(0.0, 1.0);
-            let trust = length / (length + (8.0 * noise.still).powi(2));
+            let trust = length / (length + (BELIEVED_NOISES * noise.still).powi(2));
             let mixed = trust * share * 255.0 + (1.0 - trust) * f32::from(smooth);
             *mask.at_mut(x, y) = mixed.round() as u8;
         }

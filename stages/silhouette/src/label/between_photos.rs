@@ -28,8 +28,8 @@ use std::collections::BTreeMap;
 /// Depths that are counted apart, and distances beside the hull, in cells; what is deeper or farther counts as the
 /// last. By hand: not on record. \[cells\]
 const DEPTH_CLASSES: usize = 12;
-/// Nearer to the surface than this, within or beyond, cells show nothing: their own size and a coat. By hand: not on
-/// record. \[cells\]
+/// Nearer to the surface than this, within or beyond, cells show nothing: their own size and a coat. By hand: looked at
+/// scene 131 with a plate, at 0 and 2: mean IoU −0.0000 and +0.0000. \[cells\]
 const SURFACE_CELLS: u8 = 1;
 /// The class of what passes near the surface. Below it are those beside the hull, above it those within, and above these
 /// those within of which the photo from the other side shows background.

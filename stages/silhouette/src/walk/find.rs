@@ -84,10 +84,12 @@ pub(crate) fn find(
 
 /// Fewest photos that must see a cell, as a share. By hand: not on record.
 const CLOSED_SHARE: f64 = 0.3;
-/// The evidence against a cell of one ray to a feature behind it, and how many count. By hand: not on record. \[nats\]
+/// The evidence against a cell of one ray to a feature behind it, and how many count. By hand: looked at the walk of a
+/// test, none counted: mean IoU −0.0144. \[nats\]
 const FREE: (f32, u16) = (4.0, 5);
 
-/// The evidence for its cell of one feature amid the cameras. By hand: not on record. \[nats\]
+/// The evidence for its cell of one feature amid the cameras. By hand: looked at the walk of a test, none counted: mean
+/// IoU −0.0035. \[nats\]
 const AMID_NATS: f32 = 6.0;
 
 /// The cells that are the subject by what is known of each pixel.
@@ -167,7 +169,8 @@ fn first_colors(scene: &Scene<'_>, search: &Search) -> Option<Vec<Colors>> {
     shots.par_iter().enumerate().map(one).collect()
 }
 
-/// The subject's colours are learned so deep within what cells cover, as a share of its size. By hand: not on record.
+/// The subject's colours are learned so deep within what cells cover, as a share of its size. By hand: looked at the
+/// walk of a test, a cell deep: mean IoU −0.0232.
 const DEEP_SHARE: f64 = 0.06;
 
 /// Colours as the cells part them.
