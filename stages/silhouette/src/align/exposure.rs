@@ -10,10 +10,11 @@ use shape::{Rgb, Tones};
 const BINS: usize = 240;
 /// How wide they are (structural: samples; the ratio is the mean of five of them).
 const BIN_WIDTH: f32 = 0.01;
-/// Levels of the plate that tell ratios: darker ones are too coarse, brighter ones may be cut off. By hand: not on
-/// record.
+/// Levels of the plate that tell ratios: darker ones are too coarse, brighter ones may be cut off. By hand: looked at
+/// scene 131 with a plate, from level 28 and 56 on: equal masks.
 const TELLING_LEVELS: std::ops::RangeInclusive<u8> = 40..=248;
-/// Share of the telling pixels that must keep to the ratio. By hand: not on record.
+/// Share of the telling pixels that must keep to the ratio. By hand: looked at scene 131 with a plate, at 0.7 and 1.4
+/// of it: equal masks.
 const KEEPING_SHARE: f32 = 0.12;
 /// How far from the ratio a pixel keeps to it, as a share, in two rounds. By hand: looked at scene 131 with a plate, no
 /// curve: mean IoU +0.0000, its waist +0.06 %.
@@ -27,7 +28,7 @@ const ENOUGH_PIXELS: u32 = 150;
 /// there, since what is darker may be in a shadow. By hand: not on record.
 const CUT_OFF: (u8, usize) = (252, 85);
 /// Ratios that are off one by less than this are the same exposure. What the curve adds to it is a shadow rather than a
-/// camera's. By hand: not on record.
+/// camera's. By hand: looked at scene 131 with a plate, at 0.7 and 1.4 of it: mean IoU 0 and +0.0000.
 const SAME_EXPOSURE: f32 = 0.012;
 
 /// Levels of the plate as the photo would show them. `None` if they are exposed alike, or share too

@@ -19,7 +19,8 @@ pub(crate) struct Spot {
 const LEAST_PARALLAX_RAD: f64 = 0.05;
 /// Fewest sightings: one more than determine a point (derived: two rays).
 const LEAST_SIGHTS: usize = 3;
-/// A feature further from where its point projects makes none. By hand: not on record. \[px of the reduced photo\]
+/// A feature further from where its point projects makes none. By hand: looked at the walk of a test, at 0.7 and 1.4 of
+/// it: equal masks. \[px of the reduced photo\]
 const FITS_PX: f64 = 1.5;
 
 /// The points of tracks, as cameras see them.
