@@ -151,17 +151,17 @@ fn opposite<'a, 'b>(view: &View<'b>, all: &'a [View<'b>]) -> &'a View<'b> {
 /// dissent, 1 is near its surface, from there on in cells of depth, and beyond [`DEPTH_CLASSES`] in cells of depth in what all but
 /// the photo from the other side leave. A cell against which one photo more speaks than this one lets pass is none of their
 /// hull.
-fn passes(view: &View<'_>, other_side: &View<'_>, block: &Block, against: &[usize]) -> Vec<u8> {
+fn passes(view: &View<'_>, other_side: &View<'_>, block: &Block, against: &[u8]) -> Vec<u8> {
     let (_, mask, camera) = view;
     let open = |(_, mask, camera): &View<'_>, i: usize| {
         let shown = camera.project(&block.centre(i));
         shown.is_some_and(|px| camera.holds(px) && !mask.shows(px))
     };
     let speaking = |i: usize| match against[i] {
-        count @ 1..=DISSENT => count - usize::from(open(view, i)),
+        count @ 1..=DISSENT => count - u8::from(open(view, i)),
         count => count,
     };
-    let speaking: Vec<usize> = (0..against.len()).map(speaking).collect();
+    let speaking: Vec<u8> = (0..against.len()).map(speaking).collect();
     let alone = |i: usize| speaking[i] == 1 && open(other_side, i);
     let alone: Vec<bool> = (0..against.len()).map(alone).collect();
     let most = SURFACE_CELLS + DEPTH_CLASSES as u8 - 1;
