@@ -40,7 +40,7 @@ stage::params! {
         #[range(0.0..=10.0)]
         #[source(structural)]
         compression_pct: f64 = 0.0,
-        /// How far an interval may reach to either side of its tape, in % of it: a girth with a wider one is refused.
+        /// How far an interval may reach to either side of its tape, in % of it, in the mean of both where its level reaches unlike: a girth with a wider one is refused.
         #[range(1.0..=100.0)]
         #[source(cited = "ANSUR II: nine in ten waists of one sex are within so much of the middle one, and no girth differs more")]
         widest_pct: f64 = 19.4,
@@ -90,7 +90,7 @@ const SHOWN_MM: f64 = 1.0;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 44;
+    const VERSION: u32 = 45;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;

@@ -3,7 +3,7 @@
 use crate::geometry::spline::has_left;
 use crate::sections::one::SectionMeasurement;
 use crate::uncertainty::edges::{OPEN_SHARE, Unseen};
-use crate::uncertainty::interval::{Level, interval, together, too_wide};
+use crate::uncertainty::interval::{Level, reach, reported, together};
 use crate::uncertainty::outlines::{Borders, shared_border, surface_by_cameras};
 use nalgebra::Point3;
 use shape::{Cameras, Girth, GirthId, Landmark, NINE_IN_TEN, Note, Refusal, Sigmas, Split};
@@ -69,7 +69,7 @@ impl Sure<'_> {
             scale_mm: self.scale(tape),
             ..girth.sigmas
         };
-        let interval_mm = reported(tape, tape, &sigmas, (0.0, self.widest))?;
+        let interval_mm = reported((tape, tape), &sigmas, None, (0.0, self.widest))?;
         Ok(Girth {
             sigmas,
             interval_mm,
@@ -123,7 +123,7 @@ impl Sure<'_> {
             sigmas.cover_mm = Some(libm::hypot(mm, sigmas.cover_mm.unwrap_or(0.0)));
         }
         let hidden = landmark.sigma.hidden_mm.unwrap_or(0.0);
-        let interval_mm = reported(tape_mm, mean, &sigmas, (hidden, self.widest))?;
+        let interval_mm = reported((tape_mm, mean), &sigmas, level.ends, (hidden, self.widest))?;
         let again = level
             .again
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
@@ -172,31 +172,6 @@ fn round(
         round,
         libm::hypot(libm::hypot(surface, sigma), (tape - round) / 2.0),
     )
-}
-
-/// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
-/// is what mesh and outlines tell together; by what is hidden of a thigh it may be longer, whatever else is unsure. \[mm\]
-fn reported(
-    tape: f64,
-    mean: f64,
-    sigmas: &Sigmas,
-    (hidden, widest): (f64, f64),
-) -> Result<Option<[f64; 2]>, Refusal> {
-    if !sigmas.unknown().is_empty() {
-        return Ok(None);
-    }
-    let ends = interval(tape, mean, reach(sigmas), sigmas.cover_mm.unwrap_or(0.0));
-    let up = [ends[0], tape + libm::hypot(ends[1] - tape, hidden)];
-    match [ends, up].map(|ends| too_wide(tape, ends, widest)) {
-        [true, _] => Err(Refusal::TooUncertain),
-        [_, true] => Err(Refusal::ThighsOne),
-        _ => Ok(Some(up)),
-    }
-}
-
-/// How far an interval reaches by all that lengthens and shortens a tape alike. \[mm\]
-fn reach(sigmas: &Sigmas) -> f64 {
-    NINE_IN_TEN * sigmas.variance().sqrt()
 }
 
 /// What the user should know of a section, and of what is worn there if that matters. \[mm\]
@@ -264,15 +239,18 @@ mod tests {
             ..Sigmas::EXACT
         };
         assert_eq!(
-            reported(900.0, 900.0, &known, (0.0, 0.25)),
+            reported((900.0, 900.0), &known, None, (0.0, 0.25)),
             Ok(Some([900.0, 900.0]))
         );
         let level = Sigmas {
             level_mm: None,
             ..Sigmas::EXACT
         };
-        assert_eq!(reported(900.0, 900.0, &level, (0.0, 0.25)), Ok(None));
-        let hidden = |mm: f64| reported(900.0, 900.0, &Sigmas::EXACT, (mm, 0.25));
+        assert_eq!(
+            reported((900.0, 900.0), &level, None, (0.0, 0.25)),
+            Ok(None)
+        );
+        let hidden = |mm: f64| reported((900.0, 900.0), &Sigmas::EXACT, None, (mm, 0.25));
         assert_eq!(hidden(200.0), Ok(Some([900.0, 1100.0])));
         assert_eq!(hidden(300.0), Err(Refusal::ThighsOne));
         let wide = Sigmas {
@@ -280,21 +258,20 @@ mod tests {
             ..Sigmas::EXACT
         };
         assert_eq!(
-            reported(900.0, 900.0, &wide, (0.0, 0.25)),
+            reported((900.0, 900.0), &wide, None, (0.0, 0.25)),
             Err(Refusal::TooUncertain)
         );
-        let [low, high] = reported(
-            900.0,
-            900.0,
-            &Sigmas {
-                split_mm: Some(3.0),
-                surface_mm: Some(4.0),
-                ..Sigmas::EXACT
-            },
-            (0.0, 0.25),
-        )
-        .unwrap()
-        .unwrap();
+        let sigmas = Sigmas {
+            split_mm: Some(3.0),
+            surface_mm: Some(4.0),
+            ..Sigmas::EXACT
+        };
+        let of = |ends| reported((900.0, 900.0), &sigmas, ends, (0.0, 0.25));
+        let [low, high] = of(None).unwrap().unwrap();
         assert!((high - low - 10.0 * NINE_IN_TEN).abs() < 1e-9);
+        // Up alone, by where it is taken.
+        let [same, higher] = of(Some([0.0, 12.0 * NINE_IN_TEN])).unwrap().unwrap();
+        assert!((same - low).abs() < 1e-9, "{same}");
+        assert!((higher - 900.0 - 13.0 * NINE_IN_TEN).abs() < 1e-9);
     }
 }

@@ -4,8 +4,8 @@
 use crate::made;
 
 use made::{built, measured, meshed};
-use nalgebra::Vector3;
-use shape::{Landmark, Mesh, Refusal, Solid, SolidPart};
+use nalgebra::{Point3, Rotation3, Vector3};
+use shape::{Landmark, Mesh, Plane, Refusal, Solid, SolidPart};
 
 /// Half-axes of the neck, across and fore and aft. \[mm\]
 const NECK: [f64; 2] = [54.0, 60.0];
@@ -37,6 +37,13 @@ fn leaning(degrees: f64, scale: f64) -> Solid {
     solid
 }
 
+/// An ellipse's length (Ramanujan 1914). \[mm\]
+fn around() -> f64 {
+    let [a, b] = NECK;
+    let h = ((a - b) / (a + b)).powi(2);
+    std::f64::consts::PI * (a + b) * (1.0 + 3.0 * h / (10.0 + (4.0 - 3.0 * h).sqrt()))
+}
+
 fn neck(mesh: Mesh) -> Result<(Landmark, f64), String> {
     let (landmarks, girths) = measured(mesh);
     let found = landmarks.found.iter().find(|l| l.name == "NC");
@@ -49,10 +56,7 @@ fn neck(mesh: Mesh) -> Result<(Landmark, f64), String> {
 
 #[test]
 fn a_plane_is_square_to_the_necks_axis_however_it_leans() {
-    // An ellipse's length (Ramanujan 1914).
-    let [a, b] = NECK;
-    let h = ((a - b) / (a + b)).powi(2);
-    let around = std::f64::consts::PI * (a + b) * (1.0 + 3.0 * h / (10.0 + (4.0 - 3.0 * h).sqrt()));
+    let around = around();
     for degrees in [0.0, 12.0, 24.0, 35.0] {
         let (landmark, tape) = neck(meshed(&leaning(degrees, 1.0), 7.0)).unwrap();
         let [_, y, z] = landmark.plane.normal;
@@ -80,6 +84,48 @@ fn a_neck_is_the_same_share_of_a_body_of_any_size_in_any_place() {
     let [_, y, z] = one.plane.point_mm;
     proof::near(other.plane.point_mm[2], 0.5 * z, 2.0);
     proof::near(other.plane.point_mm[1] + 200.0, 0.5 * y, 2.0);
+}
+
+#[test]
+fn a_neck_that_widens_downward_is_as_unsure_as_its_plane_turns_about_the_throat() {
+    let mut solid = leaning(20.0, 1.0);
+    // Half as wide again at the shoulders as 250 mm up.
+    let wider = 0.5;
+    if let SolidPart::Limb { half_from, .. } = &mut solid.parts[1] {
+        *half_from = NECK.map(|h| h * (1.0 + wider));
+    }
+    let given = made::Given::of(&meshed(&solid, 7.0));
+    let mut landmarks = given.landmarks();
+    let neck = landmarks.found.iter_mut().find(|l| l.name == "NC").unwrap();
+    // Of a level that is sure, only the tilt is left.
+    neck.sigma.level_mm = Some(0.0);
+    let (plane, tilt) = (neck.plane, neck.sigma.tilt_rad.unwrap());
+    let taken = |plane: Plane| {
+        let mut turned = landmarks.clone();
+        turned.found.retain(|l| l.name == "NC");
+        turned.found[0].plane = plane;
+        let girths = given.girths(&turned, &Default::default());
+        girths.get("NC").unwrap().clone()
+    };
+    let here = taken(plane);
+    // The throat, before the middle of the section.
+    let throat = here.contour.iter().min_by(|a, b| a[1].total_cmp(&b[1]));
+    let throat = Point3::from(throat.unwrap().map(f64::from));
+    let change = |rad: f64| {
+        let turn = Rotation3::from_axis_angle(&Vector3::x_axis(), rad);
+        let middle = throat + turn * (Point3::from(plane.point_mm) - throat);
+        let normal = turn * Vector3::from(plane.normal);
+        let turned = Plane {
+            point_mm: middle.into(),
+            normal: normal.into(),
+        };
+        taken(turned).tape_mm - here.tape_mm
+    };
+    let (back, forth) = (change(-tilt), change(tilt));
+    let (line, bend) = ((forth - back) / 2.0, (forth + back) / 2.0);
+    let want = libm::hypot(line, 3f64.sqrt() * bend);
+    proof::near(here.sigmas.level_mm.unwrap(), want, 0.05 * want);
+    assert!(line.abs() > 2.0, "{line} {bend}");
 }
 
 #[test]
