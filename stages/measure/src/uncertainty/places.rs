@@ -60,7 +60,8 @@ pub(crate) fn along(change: impl Fn(f64) -> Option<f64>) -> Option<Changes> {
 }
 
 /// Changes by a level and a tilt that err each by itself: a parabola in both, through sections a deviation to either side of each, and
-/// of both at once. `None` without one to either side of one.
+/// of both at once. Down they reach as far as a tape does, too, that is free to tilt and comes to rest where it is shortest. `None`
+/// without one to either side of one.
 pub(crate) fn over(change: impl Fn(f64, f64) -> Option<f64>) -> Option<Changes> {
     let parabola = |at: &dyn Fn(f64) -> Option<f64>| {
         let (low, high) = (at(-1.0), at(1.0));
@@ -81,9 +82,12 @@ pub(crate) fn over(change: impl Fn(f64, f64) -> Option<f64>) -> Option<Changes> 
         + both * both
         + 3.0 * (level[1] * level[1] + tilt[1] * tilt[1])
         + 2.0 * level[1] * tilt[1];
+    let at_rest = |x: f64| normal().map(|(y, _)| at(x, y)).fold(f64::MAX, f64::min);
+    let [rest, _] = ends(normal().map(|(x, weight)| (at_rest(x), weight)).collect());
+    let [down, up] = ends(all.map(|(x, y, weight)| (at(x, y), weight)).collect());
     Some(Changes {
         sigma: square.sqrt(),
-        ends: ends(all.map(|(x, y, weight)| (at(x, y), weight)).collect()),
+        ends: [down.min(rest), up],
     })
 }
 
@@ -151,5 +155,16 @@ mod tests {
         let both = over(|x, y| Some((3.0 * x + 4.0 * y) + 0.5 * (x + y).powi(2))).unwrap();
         assert!(both.ends[1] > alone.ends[1] + 1.0, "{both:?}");
         assert!(both.ends[0] > alone.ends[0], "{both:?}");
+    }
+
+    #[test]
+    fn a_tape_that_comes_to_rest_by_tilting_is_within_reach() {
+        // Shortest two deviations of the tilt away, by 8, wherever the level is.
+        let rest = over(|x, y| Some(x + 2.0 * y * (y - 4.0))).unwrap();
+        proof::near(rest.ends[0], -8.0 - NINE_IN_TEN, 0.05);
+        assert!(rest.ends[1] > 10.0, "{rest:?}");
+        // Shortest where it was taken: as far as the level goes.
+        let here = over(|x, y| Some(4.0 * x + y * y)).unwrap();
+        proof::near(here.ends[0], -4.0 * NINE_IN_TEN, 0.05);
     }
 }
