@@ -4,7 +4,7 @@ use crate::likelihood::floor::Floor;
 use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3};
 
-/// What the background is at a pixel, which decides how light may change there.
+/// What the background is at a pixel, which decides how light may change there (`DARKEST_LIGHTS` by this order).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ground {
     /// Walls: the subject dims or brightens them a little.
