@@ -44,7 +44,8 @@ stage::inputs! {
 /// `silhouette.label`: photos, aligned, scene, evidence → labels.
 pub struct Label;
 
-/// A body takes so much of its photo at least, and at most. By hand: not on record.
+/// A body takes so much of its photo at least, and at most. By hand: looked at scene 131 with a plate, each at 0.7 and
+/// 1.4 of it: equal masks.
 const BODY_SHARES: (f64, f64) = (0.002, 0.9);
 
 impl Stage for Label {

@@ -7,8 +7,8 @@ use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3, Vector3};
 use shape::{Aligned, Camera, Found, People, PhotoId, Pose, View};
 
-/// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii. By hand: not on
-/// record.
+/// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii. By hand: looked at
+/// scenes 131 with a plate and 132 without, at 0.7 and 1.4 of it: mean IoU at most +0.0001 and +0.0000.
 const SHADOW_RADII: f64 = 5.0;
 
 /// Joints of [`Found::JOINTS`] (structural): the nose, and both heels.

@@ -24,12 +24,14 @@ mod window;
 
 pub(crate) use in_photo::missed_in_photo;
 
-/// Least mean square of what is left, over all channels: that of rounding and a little noise. By hand: not on record.
-/// \[levels²\]
+/// Least mean square of what is left, over all channels: that of rounding and a little noise. By hand: looked at scenes
+/// 131 with a plate and 132 without, at 0.7 and 1.4 of it: mean IoU at most −0.0000 and +0.0000. \[levels²\]
 const LEAST_LEFT_OVER: f32 = 1.0;
-/// So many independent differences count: neighbours share noise and blur. By hand: not on record.
+/// So many independent differences count: neighbours share noise and blur. By hand: looked at scene 131 with a plate,
+/// at 0.7 and 1.4 of it: mean IoU +0.0001 and −0.0000.
 const COUNTED_DIFFERENCES: f32 = 4.0;
-/// What costs less tells nothing: beside soles shadows end within a window. By hand: not on record. \[nats\]
+/// What costs less tells nothing: beside soles shadows end within a window. By hand: looked at scene 131 with a plate,
+/// at 0.7 and 1.4 of it: mean IoU 0 and −0.0000. \[nats\]
 const TELLING_NATS: f32 = 3.0;
 
 /// Raises what pixels cost as the disk where they lack its grain; where nobody saw the disk nothing can be

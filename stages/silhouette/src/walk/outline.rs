@@ -77,7 +77,7 @@ pub(crate) fn outline(
 }
 
 /// Parts smaller than this part of the greatest are left out: cells have them in one piece, but an arm may hide what
-/// joins them. By hand: not on record.
+/// joins them. By hand: looked at the walk of a test, at 70 and 140: equal masks.
 const SPECK_PART: usize = 100;
 /// Holes smaller than this part of the greatest part are filled, and up to a tenth of it those where most pixels are
 /// not `open`. By hand: looked at the walk of a test, none filled: mean IoU −0.0005.

@@ -17,7 +17,8 @@ use crate::scene::disk_map::RIM;
 use crate::scene::disk_plane::DiskTop;
 use shape::Rgb;
 
-/// What costs so little more than the least as the ground may be it. By hand: not on record. \[nats\]
+/// What costs so little more than the least as the ground may be it. By hand: looked at scene 131 with a plate, at 0.7
+/// and 1.4 of it: mean IoU −0.0000. \[nats\]
 const BARE_NATS: f32 = 3.0;
 /// How far windows are from each other on disk and floor, where shadows end within one, and on walls (structural: samples).
 const APART: [usize; 2] = [1, 2];

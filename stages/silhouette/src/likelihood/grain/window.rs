@@ -6,7 +6,8 @@ use shape::{Image, Rgb};
 
 /// Half the side of the window in which the light is a plane (structural: samples). \[px of the reduced photo\]
 const REACH: usize = 3;
-/// Least share of a window that must be on the ground. By hand: not on record.
+/// Least share of a window that must be on the ground. By hand: looked at scene 131 with a plate, at 0.7 and 1.4 of it:
+/// mean IoU 0 and +0.0000.
 const LEAST_ON_GROUND: f32 = 0.5;
 
 /// A photo on what the ground would show there, where that is known.
