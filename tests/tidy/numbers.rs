@@ -21,7 +21,7 @@ const CONSTANTS_BY_HAND: [ByHand; 12] = [
     ("refine", [1, 1]),
     ("report", [0, 3]),
     ("shape", [5, 3]),
-    ("silhouette", [56, 46]),
+    ("silhouette", [66, 36]),
     ("turning", [5, 5]),
 ];
 

@@ -9,9 +9,11 @@ use rayon::prelude::*;
 use shape::{Alignment, Gray, Placed, Rgb, Tones, register, registered};
 
 /// Photos of a turn are of the same exposure where ratios are off one by less than this: 0.43 levels of the middle of
-/// [`COMPARED_LEVELS`], of which half a level counts. By hand: not on record.
+/// [`COMPARED_LEVELS`], of which half a level counts. By hand: looked at scene 132 without a plate, at 0.7 and 1.4 of
+/// it: equal masks.
 const SAME_EXPOSURE: f32 = 0.003;
-/// Levels by which exposures are compared. By hand: not on record.
+/// Levels by which exposures are compared. By hand: looked at scene 132 without a plate, from 28 and 56 on: equal
+/// masks.
 const COMPARED_LEVELS: std::ops::Range<usize> = 40..248;
 
 /// The photo laid on the plate, both reduced by a factor. Its exposure stays: the plate is brought to it.

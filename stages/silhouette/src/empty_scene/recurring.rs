@@ -11,17 +11,20 @@ use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
-/// Half the side of a patch. By hand: not on record. \[px\]
+/// Half the side of a patch. By hand: looked at scene 132 without a plate, at 1 and 3: mean IoU +0.0007 and +0.0001.
+/// \[px\]
 const REACH_PX: usize = 2;
-/// Patches may differ by so much more than those of most pixels do. By hand: not on record.
+/// Patches may differ by so much more than those of most pixels do. By hand: looked at scene 132 without a plate, at
+/// 0.7 and 1.4 of it: mean IoU −0.0001 and +0.0005.
 const OUTLIER_FACTOR: f32 = 3.5;
-/// Least and greatest squared difference that counts as noise before [`OUTLIER_FACTOR`]. By hand: not on record.
-/// \[levels²\]
+/// Least and greatest squared difference that counts as noise before [`OUTLIER_FACTOR`]. By hand: looked at scene 132
+/// without a plate, each at 0.7 and 1.4 of it: equal masks. \[levels²\]
 const NOISE_SQUARED: (f32, f32) = (0.4, 12.0);
-/// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel. By hand: not on
-/// record.
+/// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel. By hand: looked at
+/// scene 132 without a plate, at 0.7 and 1.4 of it: equal masks.
 const TREMBLE_SHARE: f32 = 0.005;
-/// Contrast from which on patches show how sharp a photo is. By hand: not on record. \[levels²\]
+/// Contrast from which on patches show how sharp a photo is. By hand: looked at scene 132 without a plate, at 0.7 and
+/// 1.4 of it: mean IoU +0.0001. \[levels²\]
 const STEEP_SQUARED: f32 = 200.0;
 /// Where photos are not equally sharp [`TREMBLE_SHARE`] is [`OUTLIER_FACTOR`] times what most places of such a contrast
 /// differ by, and at most so much. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0006 on two

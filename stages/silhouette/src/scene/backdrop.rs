@@ -6,7 +6,8 @@ use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
-/// Pixels around a mask that do not tell of the background. By hand: not on record. \[px\]
+/// Pixels around a mask that do not tell of the background. By hand: looked at scene 132 without a plate, at 1 and 3:
+/// mean IoU +0.0019 and −0.0023. \[px\]
 pub(crate) const SHY: usize = 2;
 
 /// What the photos of a turn show behind the subject.
@@ -34,7 +35,8 @@ impl Backdrop {
     }
 }
 
-/// Colours nearer to each other than this are one. By hand: not on record. \[levels\]
+/// Colours nearer to each other than this are one. By hand: looked at scene 132 without a plate, at 3 and 6: mean IoU
+/// +0.0001 and −0.0000. \[levels\]
 const SAME_LEVELS: u8 = 4;
 /// And by so much of the contrast around that all photos share: cameras tremble, and some are less sharp. By hand:
 /// looked at 0 in its place, scene 132 without a plate: mean IoU +0.0001, least +0.0002.
