@@ -3,7 +3,7 @@
 
     docs/tables/strangers.py TAILOR BODIES SCANS [FROM TO] > docs/tables/strangers.json
 
-BODIES is the folder that `models/made/strangers.py` wrote, of which those from FROM to before TO (160, 200) are measured: those before
+BODIES is the folder that `models/made/strangers.py` wrote, of which those from FROM to before TO (380, 408) are measured: those before
 were looked at while the program was made. `people` of a level is how many deviations of the survey's people of the same true heights and
 girths the rig's own level is above theirs. SCANS has PLY files of people (mm, soles at z = 0, facing -y) and levels.json, heights of WC and CC
 set by eye with a half width: the true tape is the program's own girth there, arms parted as it parts them, and at both ends of what the eye
@@ -128,7 +128,7 @@ def scanned(tailor, surface, levels):
     return {"scan": surface.stem, "rows": rows}
 
 
-def main(tailor, bodies, scans, first="160", end="200"):
+def main(tailor, bodies, scans, first="380", end="408"):
     """All bodies, and all scans."""
     files = [f for f in sorted(pathlib.Path(bodies).glob("**/[0-9]*.json")) if int(first) <= int(f.stem) < int(end)]
     made = []

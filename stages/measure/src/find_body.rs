@@ -38,7 +38,7 @@ pub struct FindBody;
 
 impl Stage for FindBody {
     const NAME: &'static str = "measure.body";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Reads a body's ground, front, crotch, hip and neck, and whether it is whole.";
     type Params = ();

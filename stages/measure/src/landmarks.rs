@@ -56,8 +56,8 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 41;
-    const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
+    const VERSION: u32 = 42;
+    const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
     type Output = Landmarks;

@@ -25,19 +25,18 @@ mod sections;
 mod uncertainty;
 
 pub use features::arms::{Axis, arm_ring, clear, merged, upper_arm_axis};
-pub use features::body::{Body, body, nearest_ring};
+pub use features::body::{Body, body};
 pub use features::ground::{GivenGround, Ground, ground};
 pub use features::limb::bend::Line;
 pub use features::limb::follow::Knot;
 pub use features::limb::{ArmSeen, Joint, Kind, Limb, Limbs, Segment, limbs};
 pub use features::marks::{Marks, marks};
 pub use features::neck::{NeckFeatures, neck_features};
-pub use features::reach::{BodyExtents, reach};
 pub use features::readings::{READINGS_VERSION, Reading, Readings, readings};
 pub use find_body::{BodyError, BodyInput, FindBody};
 pub use geometry::carry::{Carried, RAYS, carried, ray, reaches};
 pub use geometry::section::{Loop, area, axes, centre, flat, hull, length, section, tape};
-pub use geometry::slices::{Ring, Slice, level, rings, slices};
+pub use geometry::slices::{Ring, Slice, level, nearest_ring, rings, slices};
 pub use geometry::spline::{
     closed_spline_length, fitted_plane, grown, has_left, paper_girth, spline_length,
 };

@@ -1,8 +1,9 @@
 //! How a body is placed: its height, which way it faces, where legs join, where the neck is narrow.
 
-use crate::geometry::slices::{Ring, Slice, rings, slices};
-use nalgebra::{Point3, Vector3};
-use shape::{BodyFeatures, HipAt, Mesh, Plane};
+use crate::geometry::peak::between_rows;
+use crate::geometry::slices::{Ring, Slice, slices};
+use nalgebra::Vector3;
+use shape::{BodyFeatures, HipAt, Mesh};
 use std::ops::{Deref, DerefMut};
 
 /// How far below and above the crotch that shows the buttocks are looked for, as shares of stature: of 6 068 people
@@ -150,18 +151,23 @@ fn legs_join(body: &Body) -> Option<f64> {
 /// The narrowest ring between head and shoulders: from the crown down, the least after the head's
 /// widest and before the tape is three tenths longer again.
 fn neck(body: &Body) -> Option<f64> {
-    let (mut head, mut narrow) = (0.0f64, (0.0, f64::MAX));
+    let (mut head, mut narrow) = (0.0f64, (0, f64::MAX));
     let low = body.ground + 0.6 * body.stature;
-    for slice in body.slices.iter().rev().take_while(|s| s.z > low) {
+    let above = body.slices.iter().enumerate().rev();
+    for (k, slice) in above.take_while(|(_, s)| s.z > low) {
         let Some(ring) = slice.rings.first() else {
             continue;
         };
         if ring.tape > head && narrow.1 > 0.985 * head {
-            (head, narrow) = (ring.tape, (0.0, f64::MAX));
+            (head, narrow) = (ring.tape, (0, f64::MAX));
         } else if ring.tape < narrow.1 {
-            narrow = (slice.z, ring.tape);
+            narrow = (k, ring.tape);
         } else if narrow.1 < 0.985 * head && ring.tape > 1.3 * narrow.1 {
-            return Some(narrow.0);
+            let tape = |s: &Slice| s.rings.first().map_or(narrow.1, |r| r.tape);
+            let row = |k: usize| (body.slices[k].z, tape(&body.slices[k]));
+            return Some(between_rows(
+                [narrow.0 - 1, narrow.0, narrow.0 + 1].map(row),
+            ));
         }
     }
     None
@@ -261,15 +267,6 @@ fn ahead(from: Vector3<f64>, to: Vector3<f64>, least: f64) -> Option<Vector3<f64
     let mut way = to - from;
     way.z = 0.0;
     (way.norm() > least).then(|| way.normalize())
-}
-
-/// The ring of a plane whose middle is nearest to the plane's point.
-pub fn nearest_ring(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
-    let p = Point3::from(plane.point_mm);
-    let far = |r: &Ring| (r.centre - p).norm();
-    rings(mesh, plane)
-        .into_iter()
-        .min_by(|a, b| far(a).total_cmp(&far(b)))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! How wide and how deep a section is.
 
 use crate::features::body::Body;
-use crate::geometry::slices::{Ring, Slice};
+use crate::geometry::slices::Ring;
 use nalgebra::Vector3;
 
 /// Least and greatest of a ring along a direction.
@@ -25,12 +25,4 @@ pub(crate) fn depth(body: &Body, ring: &Ring) -> Option<(f64, f64)> {
     own.map(|p| p.coords.dot(&body.front)).fold(None, |e, x| {
         Some(e.map_or((x, x), |(lo, hi): (f64, f64)| (lo.min(x), hi.max(x))))
     })
-}
-
-/// From the least to the greatest of all rings of a slice along a direction: what is seen from the front,
-/// arms and all, where that is the body's left. \[mm\]
-pub(crate) fn breadth(slice: &Slice, along: &Vector3<f64>) -> Option<f64> {
-    let all = slice.rings.iter().filter_map(|r| extent(r, along));
-    let (least, most) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
-    Some(most - least)
 }

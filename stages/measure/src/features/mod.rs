@@ -9,7 +9,6 @@ pub(crate) mod limb;
 pub(crate) mod marks;
 pub(crate) mod neck;
 pub(crate) mod neck_tube;
-pub(crate) mod reach;
 pub(crate) mod readings;
 pub(crate) mod soles;
 pub(crate) mod standing;

@@ -4,11 +4,11 @@
 //! where a survey's measurers find it.
 
 use super::body::Body;
-use super::marks::Marks;
+use super::marks::{Marks, between_slices};
 use super::whole::no_stature;
 
 /// Raise it whenever a reading may come out otherwise on the same surface: model files name it (structural: a version).
-pub const READINGS_VERSION: u32 = 1;
+pub const READINGS_VERSION: u32 = 2;
 
 /// One thing that is read off a surface. Heights are above the ground; all are shares of stature
 /// unless noted.
@@ -117,19 +117,18 @@ pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> 
     let long = marks.neck - marks.hip;
     let at = |share: f64| body.ground + marks.hip + share * long;
     // Where no arm is clear, arms may be before the trunk or on it.
-    let clear = marks.spread.is_some();
+    let clear = marks.arm_is_clear;
     let tape = |share: f64| Some(trunk_tape(body, at(share)).filter(|_| clear)? / s);
     let apex = marks
         .apex
         .filter(|(_, sharp)| clear && *sharp >= LEAST_SHARPNESS);
-    let depth = marks.reach.front(0.6667) - marks.reach.back(0.6667);
     let read = by_neck(body, absolute)?
         .with(Reading::Buttock, marks.hip_shows.then_some(marks.hip / s))
         .spread_by(Reading::Buttock, marks.hip_spread / s)
         .with(Reading::HipTape, tape(0.0).filter(|_| marks.hip_shows))
         .with(Reading::BellyTape, tape(0.25))
         .with(Reading::WaistTape, tape(0.4))
-        .with(Reading::ChestDepth, clear.then_some(depth / s))
+        .with(Reading::ChestDepth, clear.then_some(marks.chest_depth / s))
         .with(Reading::Bust, clear.then_some(marks.bust / s))
         .with(Reading::Apex, apex.map(|(z, _)| z / s));
     Some(read)
@@ -152,7 +151,7 @@ pub(crate) fn by_neck(body: &Body, absolute: bool) -> Option<Readings> {
 
 /// Tape around the trunk at a height, where no arm is part of it. \[mm\]
 fn trunk_tape(body: &Body, z: f64) -> Option<f64> {
-    let ring = body.trunk(z)?;
     let free = |side: f64| !super::arms::merged(body, z, side);
-    (free(1.0) && free(-1.0)).then_some(ring.tape)
+    let tape = between_slices(body, z, |s| Some(s.rings.first()?.tape));
+    tape.filter(|_| free(1.0) && free(-1.0))
 }

@@ -1,6 +1,7 @@
 //! The neck's outline from the side, in its own middle plane: throat, chin, nape.
 
 use crate::features::neck_tube::Tube;
+use crate::geometry::peak::between_rows;
 
 /// The outline and its marks; offsets are along the neck's axis from its tightest section. \[mm\]
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -120,13 +121,10 @@ fn deepest(at: &[f64], reach: &[f64], from: usize, to: usize) -> (usize, (f64, f
     let within = |k: usize| (out * (at[k] - at[from]) - up * (reach[k] - reach[from])) / long;
     let most = (from..=to).max_by(|a, b| within(*a).total_cmp(&within(*b)));
     let k = most.unwrap_or(from);
-    let mut place = at[k];
-    if k > from && k < to {
-        // The top of the parabola through three rows.
-        let (low, high) = (within(k) - within(k - 1), within(k) - within(k + 1));
-        place += (at[k + 1] - at[k]) * (low - high) / (2.0 * (low + high)).max(f64::MIN_POSITIVE);
-    }
-    (k, (place, within(k)))
+    let row = |k: usize| (at[k], within(k));
+    let inner = k > from && k < to;
+    let place = inner.then(|| between_rows([k - 1, k, k + 1].map(row)));
+    (k, (place.unwrap_or(at[k]), within(k)))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 pub(crate) mod carry;
 pub(crate) mod crop;
 pub(crate) mod halves;
+pub(crate) mod peak;
 pub(crate) mod section;
 pub(crate) mod slices;
 pub(crate) mod spline;

@@ -40,6 +40,15 @@ pub fn rings(mesh: &Mesh, plane: &Plane) -> Vec<Ring> {
     ringed(section(mesh, plane), plane)
 }
 
+/// The ring of a plane whose middle is nearest to the plane's point.
+pub fn nearest_ring(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
+    let p = Point3::from(plane.point_mm);
+    let far = |r: &Ring| (r.centre - p).norm();
+    rings(mesh, plane)
+        .into_iter()
+        .min_by(|a, b| far(a).total_cmp(&far(b)))
+}
+
 /// Curves of a plane as rings, largest first; specks are left out.
 pub(crate) fn ringed(curves: Vec<Loop>, plane: &Plane) -> Vec<Ring> {
     let ring = |curve: Loop| {

@@ -23,7 +23,7 @@ use super::line_up::{
     picked_bias, repeat, rounded,
 };
 use super::normal::Normal;
-use super::samples::{ANATOMY, Made, Person, fitted};
+use super::samples::{ANATOMY, Made, Person, STRANGERS, fitted};
 use crate::features::readings::Reading;
 use nalgebra::{DMatrix, DVector};
 use shape::NINE_IN_TEN;
@@ -203,12 +203,14 @@ fn population(name: String, scope: Scope, normal: Normal) -> Population {
 }
 
 /// By how much the variance of each level is above what a fit expects, where it is to be right on nine in ten of a family
-/// that it has not seen, each family counting alike; shares of stature, squared.
+/// that it has not seen, each family counting alike, and on nine in ten of strangers; shares of stature, squared.
 fn unexpected(people: &[&Person], made: &[&Made]) -> Result<[f64; LEVELS], FitError> {
     let mut missed = Level::ALL.map(|_| Vec::new());
+    let mut of_strangers = missed.clone();
     for fold in left_out(people, made) {
         let readable = like(&fold.people, &fold.made).len() >= LEAST_BODIES;
-        if !fitted(fold.family) || !readable {
+        let strangers = fold.family == STRANGERS;
+        if !(fitted(fold.family) || strangers) || !readable {
             continue;
         }
         let model = joint(&fold.people, &fold.made)?;
@@ -219,10 +221,16 @@ fn unexpected(people: &[&Person], made: &[&Made]) -> Result<[f64; LEVELS], FitEr
                 .filter_map(|m| excess(&model, m, level))
                 .collect();
             let each = 1.0 / own.len() as f64;
-            missed[level as usize].extend(own.into_iter().map(|x| (x, each)));
+            let all = match strangers {
+                true => &mut of_strangers,
+                false => &mut missed,
+            };
+            all[level as usize].extend(own.into_iter().map(|x| (x, each)));
         }
     }
-    Ok(missed.map(nine_in_ten))
+    let of_strangers = of_strangers.map(nine_in_ten);
+    let missed = missed.map(nine_in_ten);
+    Ok(std::array::from_fn(|l| missed[l].max(of_strangers[l])))
 }
 
 /// The variance that would put a body's true level at the end of its interval, less the one that it has.

@@ -16,8 +16,8 @@ use std::sync::Arc;
 stage::inputs! {
     /// Tables to fit on.
     pub struct FitInput {
-        /// `ansur2.csv` (measured people), `made-bodies.csv`, `neck.csv` and `arms.csv` (what our program reads
-        /// on made bodies).
+        /// `ansur2.csv` (measured people), `made-bodies.csv`, `strangers.csv`, `neck.csv` and `arms.csv` (what our
+        /// program reads on made bodies).
         tables: Arc<Files>,
     }
 }
@@ -40,11 +40,11 @@ pub enum NoModel {
 pub struct FitLevels;
 
 const PEOPLE: &str = "ansur2.csv";
-const MADE: &str = "made-bodies.csv";
+const MADE: [&str; 2] = ["made-bodies.csv", "strangers.csv"];
 
 impl Stage for FitLevels {
     const NAME: &'static str = "measure.fit_levels";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, with its errors on those left out.";
     type Params = ();
     type Input = FitInput;
@@ -105,7 +105,10 @@ fn read(files: &Files) -> Result<Samples, NoModel> {
         Ok(Table::read(name, &bytes)?)
     };
     let people = people(&table(PEOPLE)?)?;
-    let made = made(&table(MADE)?)?;
+    let mut all = Vec::new();
+    for name in MADE {
+        all.extend(made(&table(name)?)?);
+    }
     // Several laws are fitted on one table.
     let mut own: Vec<Table> = Vec::new();
     let mut laws = Vec::new();
@@ -124,7 +127,7 @@ fn read(files: &Files) -> Result<Samples, NoModel> {
     let necks = necks(neck.expect("bug: the notch has a law"))?;
     Ok(Samples {
         people,
-        made,
+        made: all,
         laws,
         necks,
         hashes,

@@ -119,8 +119,10 @@ impl Made {
     }
 }
 
-/// Families that show one body in many poses: to test on, not to fit on.
-const TESTED: [&str; 1] = ["poses"];
+/// Bodies to which no mean, slope or law is fitted: they show how far levels are from where a fit expects them.
+pub(crate) const STRANGERS: &str = "strangers";
+/// Families not to fit on: those that show one body in many poses, and strangers.
+const TESTED: [&str; 2] = ["poses", STRANGERS];
 
 /// Whether a fit may use a family.
 pub(crate) fn fitted(family: &str) -> bool {

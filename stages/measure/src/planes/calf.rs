@@ -2,6 +2,7 @@
 
 use crate::features::body::Body;
 use crate::features::limb::{Limbs, Segment};
+use crate::geometry::peak::between_rows;
 use crate::planes::limbs::{Across, EXTREME, Placed, holds_other, sure};
 use shape::Refusal;
 
@@ -64,7 +65,8 @@ fn fullest(found: &[(f64, f64)], usual: (f64, f64)) -> (f64, f64) {
         let below = falls(tapes[i], tapes[..i].iter().rev());
         let falls = below.min(falls(tapes[i], tapes[i + 1..].iter()));
         let share = left * smooth(falls / (NARROWS * tapes[i]));
-        parts.push((share, top(found, &tapes, i), 0.0));
+        let row = |k: usize| (found[k].0, tapes[k]);
+        parts.push((share, between_rows([i - 1, i, i + 1].map(row)), 0.0));
         left -= share;
     }
     parts.push((left, usual.0, usual.1));
@@ -82,18 +84,6 @@ fn falls<'a>(own: f64, tapes: impl Iterator<Item = &'a f64>) -> f64 {
 fn smooth(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)
-}
-
-/// The top of the parabola through a peak and its neighbours.
-fn top(found: &[(f64, f64)], tapes: &[f64], i: usize) -> f64 {
-    let (low, high) = (tapes[i] - tapes[i - 1], tapes[i] - tapes[i + 1]);
-    let off = (low - high) / (2.0 * (low + high)).max(f64::MIN_POSITIVE);
-    let way = if off < 0.0 {
-        found[i].0 - found[i - 1].0
-    } else {
-        found[i + 1].0 - found[i].0
-    };
-    found[i].0 + off * way
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub(crate) fn tell_hip(body: &mut Body, model: &LevelModel, absolute: bool, foot
         Some(HipAt::Between(low, _)) => low,
         _ => z - far,
     };
-    let shows = farthest_back(body, low, z + far).and_then(|(z, is)| is.then_some(z));
+    let shows = farthest_back(body, low, z + far).and_then(|f| f.shows.then_some(f.z));
     let share = |z: f64| (z - body.ground) / body.stature;
     let read = by_neck(body, absolute).unwrap_or(size);
     let read = read.with(Reading::Buttock, shows.map(share));

@@ -33,10 +33,13 @@ pub(crate) fn trunk(
         ..Landmark::new(id, placed.plane, Part::Trunk)
     };
     // The hip shows on its own, without head and neck.
-    let sigma = reported.map(Trunk::hip_sigma).unwrap_or_default();
-    let shown = |plane| Placed { plane, sigma };
-    let hip = hip_plane(body).map(|plane| at(GirthId::Hip, shown(plane)));
-    let longest = longest_hip_plane(body).map(|plane| at(GirthId::HipGreatest, shown(plane)));
+    let sure = |t: &Trunk<'_>| (t.hip_sigma(), t.shown());
+    let (sigma, shown) = reported.map(sure).unwrap_or_default();
+    let hip = hip_plane(body).map(|plane| at(GirthId::Hip, Placed { plane, sigma }));
+    let longest = longest_hip_plane(body).map(|plane| {
+        let sigma = shown;
+        at(GirthId::HipGreatest, Placed { plane, sigma })
+    });
     let placed = |which: Waist| match which {
         Waist::Natural => reported?.at(Level::Waist),
         Waist::Narrowest => reported?.narrowest(),

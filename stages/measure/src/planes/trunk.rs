@@ -4,6 +4,7 @@ use crate::features::body::Body;
 use crate::features::marks::{Marks, hip};
 use crate::features::readings::{Reading, Readings, readings};
 use crate::features::whole::no_stature;
+use crate::geometry::peak::farthest;
 use crate::geometry::slices::level;
 use crate::model::file::LevelModel;
 use crate::model::level::Level;
@@ -87,7 +88,7 @@ impl<'a> Trunk<'a> {
         let (m, s) = (self.marks, self.body.stature);
         let z = self.body.ground + m.hip + at * (m.neck - m.hip);
         let ends = (
-            hip_sigma(self.body, self.model).level_mm,
+            self.hip_sigma().level_mm,
             self.model.reading(Reading::Neck, s),
         );
         let level = match ends {
@@ -103,44 +104,37 @@ impl<'a> Trunk<'a> {
 
     /// A true minimum of the trunk's tape between hip and bust.
     pub(crate) fn narrowest(&self) -> Option<Placed> {
-        self.narrow.map(|z| self.on_surface(z))
-    }
-
-    /// How sure the hip's level is.
-    pub(crate) fn hip_sigma(&self) -> PlaneSigma {
-        hip_sigma(self.body, self.model)
-    }
-
-    /// An extreme that shows: as sure as the hip is.
-    fn on_surface(&self, z: f64) -> Placed {
-        Placed {
+        self.narrow.map(|z| Placed {
             plane: across(self.body, z),
-            sigma: shown(self.body, self.model),
+            sigma: self.shown(),
+        })
+    }
+
+    /// How sure the hip's level is: where it shows, no surer than the heights are alike at which the back reaches as far.
+    pub(crate) fn hip_sigma(&self) -> PlaneSigma {
+        let shown = self.shown();
+        match self.body.hip {
+            Some(HipAt::Hidden(_, mm)) => PlaneSigma {
+                level_mm: Some(mm),
+                repeat_mm: None,
+                ..shown
+            },
+            _ => PlaneSigma {
+                level_mm: shown.level_mm.map(|mm| mm.max(self.marks.hip_spread)),
+                ..shown
+            },
         }
     }
-}
 
-/// How sure a level is that shows as the buttocks do.
-fn shown(body: &Body, model: &LevelModel) -> PlaneSigma {
-    let read = model.reading(Reading::Buttock, body.stature);
-    PlaneSigma {
-        level_mm: read.map(|r| r.0),
-        tilt_rad: None,
-        repeat_mm: read.and_then(|r| r.1),
-        hidden_mm: None,
-    }
-}
-
-/// How sure the hip's level is.
-fn hip_sigma(body: &Body, model: &LevelModel) -> PlaneSigma {
-    let shown = shown(body, model);
-    match body.hip {
-        Some(HipAt::Hidden(_, mm)) => PlaneSigma {
-            level_mm: Some(mm),
-            repeat_mm: None,
-            ..shown
-        },
-        _ => shown,
+    /// How sure a level is that shows, as buttocks mostly do.
+    pub(crate) fn shown(&self) -> PlaneSigma {
+        let read = self.model.reading(Reading::Buttock, self.body.stature);
+        PlaneSigma {
+            level_mm: read.map(|r| r.0),
+            tilt_rad: None,
+            repeat_mm: read.and_then(|r| r.1),
+            hidden_mm: None,
+        }
     }
 }
 
@@ -180,8 +174,37 @@ const NEAR_HIP: f64 = 0.03;
 fn longest(body: &Body, hip: f64) -> Option<f64> {
     let crotch = body.crotch.unwrap_or(body.ground);
     let low = crotch.max(hip - NEAR_HIP * body.stature);
-    body.between(low, hip + NEAR_HIP * body.stature)
+    let near = body.between(low, hip + NEAR_HIP * body.stature);
+    let tapes: Vec<(f64, f64)> = near
         .filter_map(|s| Some((s.z, s.rings.first()?.tape)))
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(z, _)| z)
+        .collect();
+    farthest(&tapes).map(|(_, z)| z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hip_is_no_surer_than_its_back_is_flat() {
+        let model = LevelModel::built_in();
+        let mut body = Body::of_slices(Vec::new());
+        body.hip = Some(HipAt::Between(800.0, 1000.0));
+        let sure = |hip_spread: f64| {
+            let marks = Marks {
+                hip: 900.0,
+                hip_shows: true,
+                hip_spread,
+                neck: 1500.0,
+                bust: 1250.0,
+                apex: None,
+                arm_is_clear: true,
+                chest_depth: 200.0,
+            };
+            Trunk::new(&body, &marks, &model, true, None).hip_sigma()
+        };
+        let usual = model.reading(Reading::Buttock, body.stature).unwrap().0;
+        assert_eq!(sure(usual / 2.0).level_mm, Some(usual));
+        assert_eq!(sure(usual * 2.0).level_mm, Some(usual * 2.0));
+    }
 }

@@ -1,7 +1,6 @@
 //! Several readings of one arm, of which the trunk hides some, as one: from its own outline, and from the clear sections
 //! farther down.
 
-use crate::features::marks::slope;
 use crate::geometry::section::tape;
 use crate::sections::beside_trunk::FreedArm;
 
@@ -50,6 +49,18 @@ impl FreedArm {
             ..likelier.sized(mean, square.sqrt())
         }
     }
+}
+
+/// Slope of the least-squares line through (x, y).
+fn slope(points: &[(f64, f64)]) -> f64 {
+    let n = points.len() as f64;
+    let (mx, my) = points
+        .iter()
+        .fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
+    let (up, down) = points.iter().fold((0.0, 0.0), |s, p| {
+        (s.0 + (p.0 - mx) * (p.1 - my), s.1 + (p.0 - mx).powi(2))
+    });
+    up / down
 }
 
 /// The section inferred from clear ones farther down alone: `clear`, taken so many steps down, grown as their

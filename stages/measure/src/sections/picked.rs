@@ -1,7 +1,7 @@
 //! The paper's girth from points picked by hand (§III-E): plane, more points (eq. 8), spline.
 
-use crate::features::body::nearest_ring;
 use crate::geometry::section::{flat, length, tape};
+use crate::geometry::slices::nearest_ring;
 use crate::geometry::slices::rings;
 use crate::geometry::spline::{fitted_plane, grown, paper_girth};
 use nalgebra::{Point3, Vector3};

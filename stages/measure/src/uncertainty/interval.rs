@@ -3,7 +3,7 @@
 use crate::features::body::Body;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::taken::taken;
-use crate::uncertainty::places::{Changes, along, over};
+use crate::uncertainty::places::{Changes, FAR, along, over};
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use shape::{GirthId, Landmark, Mesh, NINE_IN_TEN, Part, Plane, PlaneRule, Refusal, Sigmas};
 
@@ -112,11 +112,20 @@ impl Beside<'_> {
     /// Along the normal, to either side; of a thigh, whose upper end is no thigh's any more, by its slope down the leg alone.
     fn moved(&self, mm: f64) -> Option<f64> {
         match (self.landmark.part, self.landmark.id) {
-            (Part::Trunk, _) => along(|x| self.along_normal(x * mm)).map(|c| c.sigma),
+            (Part::Trunk, _) => self.outer(mm),
             // Deviations of limbs and neck were fitted with a step of one.
             (_, GirthId::Thigh(_)) => self.pair([self.shifted(mm), self.shifted(mm)]),
             _ => self.pair([self.shifted(-mm), self.shifted(mm)]),
         }
+    }
+
+    /// The same deviation as of all places [`along`] the normal, by the outermost of them alone.
+    fn outer(&self, mm: f64) -> Option<f64> {
+        let side = |way: f64| {
+            let at = |share: f64| self.along_normal(share * FAR * way * mm);
+            at(1.0).or_else(|| Some(2.0 * at(0.5)?))
+        };
+        Some(self.mean_square([side(-1.0), side(1.0)])? / FAR)
     }
 
     /// About the body's left, either way.

@@ -36,7 +36,14 @@ fn fitted(names: &[&str]) -> Result<Vec<u8>, String> {
 
 #[test]
 fn a_refit_writes_the_model_that_ships() {
-    let refit = fitted(&["ansur2.csv", "made-bodies.csv", "neck.csv", "arms.csv"]).unwrap();
+    let refit = fitted(&[
+        "ansur2.csv",
+        "made-bodies.csv",
+        "strangers.csv",
+        "neck.csv",
+        "arms.csv",
+    ])
+    .unwrap();
     let shipped = std::fs::read(models().join("levels-1.toml")).unwrap();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("levels-1.toml");
     std::fs::write(&path, &refit).unwrap();
@@ -70,10 +77,14 @@ fn intervals_of_levels_hold_on_bodies_that_no_fit_has_seen() {
         let own: Vec<_> = own
             .filter(|e| families(level).contains(&e["family"].as_str().unwrap()))
             .collect();
-        // Each family counts alike, as in the fit.
-        let inside = own.iter().map(|e| e["coverage_of_90"].as_float().unwrap());
-        let share = inside.sum::<f64>() / own.len() as f64;
+        // Each family counts alike, as in the fit, and strangers by themselves, whose scatter is none of the fit's here.
+        let inside = |e: &toml::Value| e["coverage_of_90"].as_float().unwrap();
+        let share = own.iter().map(|e| inside(e)).sum::<f64>() / own.len() as f64;
         assert_eq!(own.len(), families(level).len());
-        assert!((0.85..=0.95).contains(&share), "{level}: {share}");
+        let strangers = entries.iter().find(|e| {
+            e["level"].as_str() == Some(level) && e["family"].as_str() == Some("strangers")
+        });
+        let least = strangers.map_or(share, |e| inside(e).min(share));
+        assert!((0.85..=0.95).contains(&least), "{level}: {share}, {least}");
     }
 }
