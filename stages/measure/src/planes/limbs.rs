@@ -17,9 +17,6 @@ const TILT_RAD: f64 = 2.5 * std::f64::consts::PI / 180.0;
 /// A leg that leans less, 15°, is taken level, as the standard has it. By hand: looked at three scans, at 0.7 and 1.4
 /// of it: tapes move by at most 0 and 0.32 %, intervals change by at most 0 and 2 %. \[cos\]
 pub(super) const LEAST_UPRIGHT: f64 = 0.966;
-/// An upper arm shows at least so much of itself above the elbow, as a share of stature. By hand: looked at three
-/// scans, at 0.7 and 1.4 of it: no tape changes.
-const LEAST_CLEAR: f64 = 0.025;
 /// How sure the level of a greatest girth is, as a share of stature: fitted on thighs and calves of the first fifty bodies of
 /// `models/made/strangers.py`, of whose intervals nine in ten then contain the truth.
 pub(super) const EXTREME: f64 = 0.0033;
@@ -45,9 +42,9 @@ pub fn share(limb: &Limb, segment: Segment, share: f64) -> Result<Placed, Refusa
 
 /// Across an upper arm midway between acromion and elbow (ISO 8559-1 5.3.16), centred on the arm's own ring where
 /// the surface shows one.
-pub(crate) fn upper_arm(limbs: &Limbs<'_>, stature: f64, side: f64) -> Result<Placed, Refusal> {
+pub(crate) fn upper_arm(limbs: &Limbs<'_>, side: f64) -> Result<Placed, Refusal> {
     let arm = limbs.arm(side)?;
-    if arm.clear_to() < arm.middle.s + LEAST_CLEAR * stature {
+    if arm.clear_to() < arm.middle.s {
         return Err(Refusal::Fused);
     }
     let (plane, middle) = arm.mid_upper_arm().ok_or(Refusal::NoLimb)?;

@@ -8,9 +8,6 @@ use shape::{Plane, Refusal};
 /// A section whose tape is longer than the tightest by more than this share is none of the tube: jaw or shoulders.
 /// Bases of necks are 1.104 ± 0.032 times as long as necks (ANSUR II).
 const LONGEST_SHARE: f64 = 0.12;
-/// How far beside the axis the middle of a section of the tube is at most, as a share of the diameter. By hand: looked
-/// at three scans, at 0.7 and 1.4 of it: no tape changes.
-const BESIDE_SHARE: f64 = 0.2;
 /// Steps in which a plane slides towards the tightest section, as a share of the diameter (structural: samples).
 const SLIDE: f64 = 0.01;
 
@@ -92,11 +89,9 @@ pub fn plane_at(f: &NeckFeatures, share: f64) -> Result<NeckPlane, Refusal> {
 
 /// The section of the tube at an offset.
 fn across(f: &NeckFeatures, share: f64) -> Option<NeckPlane> {
-    let (tube, d) = (&f.tube, f.diameter_mm());
-    let ring = tube.ring(share * d)?;
-    let way = ring.centre - tube.origin;
-    let beside = (way - tube.axis() * way.dot(&tube.axis())).norm();
-    let fits = ring.tape <= (1.0 + LONGEST_SHARE) * tube.girth && beside <= BESIDE_SHARE * d;
+    let tube = &f.tube;
+    let ring = tube.ring(share * f.diameter_mm())?;
+    let fits = ring.tape <= (1.0 + LONGEST_SHARE) * tube.girth;
     fits.then(|| NeckPlane {
         plane: Plane {
             point_mm: ring.centre.into(),

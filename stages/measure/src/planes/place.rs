@@ -148,7 +148,7 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
         // Shares of a stature that is none tell nothing.
         let placed = match body.whole {
             false => Err(unlike(body)),
-            true => upper_arm(limbs, body.stature, side.sign()),
+            true => upper_arm(limbs, side.sign()),
         };
         limb(found, id, Part::arm(side), placed);
     }

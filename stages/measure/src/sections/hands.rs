@@ -10,9 +10,6 @@ const HAND_SHARE: f64 = 0.13;
 /// Over so much of an arm its way is taken, as a share of stature; what is shorter than half of it is no arm. By hand:
 /// not on record.
 const WAY_SHARE: f64 = 0.03;
-/// A ring that takes an arm in is at least so many times as large as the arm's own. By hand: looked at three scans, at
-/// 0.7 and 1.4 of it: no tape changes.
-const LARGER_FACTOR: f64 = 2.0;
 
 /// Whether a level section holds the hand or forearm of a side (1 left, -1 right): in the nearest
 /// slices in which that arm is clear it runs into a larger ring, not to its fingertips, and its
@@ -51,7 +48,7 @@ fn runs_into(body: &Body, slices: &[&Slice], section: &Ring, side: f64) -> bool 
     let Some(end) = ring(slices[first]) else {
         return false;
     };
-    let joined = |r: &Ring| r.area > LARGER_FACTOR * end.area && holds(r, end.centre);
+    let joined = |r: &Ring| holds(r, end.centre);
     let runs = match first {
         0 => joined(section),
         _ => slices[first - 1].rings.iter().any(joined),
