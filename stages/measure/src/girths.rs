@@ -288,6 +288,7 @@ fn sure<'a>(
         None => REMESHED,
     };
     Sure {
+        mesh: &input.mesh,
         surface_mm: libm::hypot(p.surface_mm, even * input.mesh.mean_edge()),
         off_mm: square.sqrt(),
         cameras: input.cameras.as_deref(),

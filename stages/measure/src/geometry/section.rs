@@ -2,7 +2,6 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 use shape::{Mesh, Plane};
-use std::collections::BTreeMap;
 
 /// A closed curve in a plane, without repeating its first point. \[mm\]
 pub type Loop = Vec<Point3<f64>>;
@@ -50,9 +49,10 @@ fn loops<'a>(
     height: impl Fn(u32) -> f64,
 ) -> Vec<Loop> {
     // Each cut face gives a piece from one cut edge to another; edges are named by their ends.
-    let mut next: BTreeMap<(u32, u32), (u32, u32)> = BTreeMap::new();
+    let mut pieces: Vec<(Edge, Edge)> = Vec::new();
     for face in faces {
-        let above = face.map(|v| height(v) >= 0.0);
+        let [a, b, c] = *face;
+        let above = [height(a) >= 0.0, height(b) >= 0.0, height(c) >= 0.0];
         if above[0] == above[1] && above[1] == above[2] {
             continue;
         }
@@ -66,27 +66,44 @@ fn loops<'a>(
                 _ => {}
             }
         }
-        if let (Some(from), Some(to)) = (leaves, enters) {
-            next.insert(from, to);
-        }
+        pieces.extend(leaves.zip(enters));
     }
-    let place = |(a, b): (u32, u32)| {
+    let place = |(a, b): Edge| {
         let (ha, hb) = (height(a), height(b));
         let (pa, pb) = (mesh.point(a), mesh.point(b));
         pa + (pb - pa) * (ha / (ha - hb))
     };
-    let mut loops = Vec::new();
-    while let Some((&start, _)) = next.iter().next() {
+    let curves = joined(pieces).into_iter();
+    curves
+        .map(|curve| curve.into_iter().map(place).collect())
+        .collect()
+}
+
+/// An edge of a mesh, named by its ends, the lesser first.
+type Edge = (u32, u32);
+
+/// Pieces from one edge to another, joined where they close; of two from one edge, the last. Curves begin at their least edge, in order.
+fn joined(mut pieces: Vec<(Edge, Edge)>) -> Vec<Vec<Edge>> {
+    pieces.reverse();
+    pieces.sort_by_key(|(from, _)| *from);
+    pieces.dedup_by_key(|(from, _)| *from);
+    let mut left = vec![true; pieces.len()];
+    let mut curves = Vec::new();
+    for begin in 0..pieces.len() {
+        let start = pieces[begin].0;
         let (mut curve, mut at) = (Vec::new(), start);
-        while let Some(to) = next.remove(&at) {
-            curve.push(place(at));
-            at = to;
+        while let Ok(k) = pieces.binary_search_by_key(&at, |(from, _)| *from) {
+            if !std::mem::take(&mut left[k]) {
+                break;
+            }
+            curve.push(at);
+            at = pieces[k].1;
         }
         if at == start && curve.len() >= 3 {
-            loops.push(curve);
+            curves.push(curve);
         }
     }
-    loops
+    curves
 }
 
 /// The points in the plane's own two coordinates. \[mm\]

@@ -6,10 +6,9 @@
 use crate::features::body::Body;
 use crate::geometry::section::{axes, length, tape};
 use crate::geometry::slices::{Ring, rings};
-use crate::geometry::spline::closed_spline_length;
 use crate::sections::beside_trunk::{FreedArm, freed_of_trunk};
 use crate::sections::down_arm::{CLEAN_ROUND, DownArm, round};
-use crate::sections::one::{FUSED, SectionMeasurement, Why, plain};
+use crate::sections::one::{FUSED, SectionMeasurement, Spline, Why, plain};
 use nalgebra::Point3;
 use shape::{Landmark, Mesh, Plane};
 
@@ -24,7 +23,7 @@ pub(crate) fn across_arm(
     let down = DownArm::of(mesh, body, plane);
     let own = down.small(0).map(|(_, ring)| ring);
     if let Some(ring) = own.as_ref().filter(|r| round(r) > CLEAN_ROUND) {
-        return plain(mesh, plane, ring.clone());
+        return plain(plane, ring.clone());
     }
     let clear = down.clear(own.as_ref(), body, side)?;
     let (reference, outward) = (&clear.reference, clear.outward);
@@ -35,7 +34,7 @@ pub(crate) fn across_arm(
     };
     match parted(&ring) {
         Some(free) => Ok(completed(free, clear.origin, plane)),
-        None => plain(mesh, plane, ring),
+        None => plain(plane, ring),
     }
 }
 
@@ -56,7 +55,7 @@ pub(super) fn completed(free: FreedArm, origin: Point3<f64>, plane: &Plane) -> S
             .collect(),
         contour_mm,
         tape_mm: tape(&outline),
-        spline_mm: closed_spline_length(&even).unwrap_or(contour_mm),
+        spline: Spline::Knots(even),
         carried: free.share,
         sigma_mm: free.sigma_mm,
     }

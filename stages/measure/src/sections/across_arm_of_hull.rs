@@ -121,7 +121,7 @@ pub(crate) fn across_arm_of_hull(
         .as_ref()
         .filter(|r| round(r) > CLEAN_ROUND && chance > SURE);
     if let Some(ring) = clean {
-        return plain(mesh, plane, ring.clone());
+        return plain(plane, ring.clone());
     }
     let clear = down.clear(own.as_ref(), body, side)?;
     let tapes: Vec<(f64, f64)> = (clear.steps[0]..=down.last)

@@ -5,10 +5,9 @@ use crate::features::extent::extent;
 use crate::geometry::halves::{half, webbed};
 use crate::geometry::section::{axes, length};
 use crate::geometry::slices::Ring;
-use crate::geometry::spline::closed_spline_length;
 use crate::sections::hands::holds_hand;
 use crate::sections::lobe::lobe;
-use crate::sections::one::{FUSED, HAND, NOTHING, SectionMeasurement, Why, nearest, plain};
+use crate::sections::one::{FUSED, HAND, NOTHING, SectionMeasurement, Spline, Why, nearest, plain};
 use crate::sections::split::even;
 use nalgebra::Point3;
 use shape::{GirthId, Landmark, Mesh};
@@ -27,7 +26,7 @@ pub(crate) fn across_leg(
     let inner = extent(&ring, &(body.left * side)).ok_or(NOTHING)?.0;
     let alone = |ring: Ring| match webbed(&ring, &(body.left * side)) >= 1.0 {
         true if matches!(landmark.id, GirthId::Thigh(_)) => Err(FUSED),
-        _ => plain(mesh, &landmark.plane, ring),
+        _ => plain(&landmark.plane, ring),
     };
     if !other(body, ring.centre.z, side).is_some_and(|other| inner < other) {
         return alone(ring);
@@ -45,7 +44,7 @@ pub(crate) fn across_leg(
             .collect(),
         contour_mm,
         tape_mm: half.tape,
-        spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
+        spline: Spline::Knots(knots),
         carried: half.share,
         sigma_mm: half.sigma_mm,
     })

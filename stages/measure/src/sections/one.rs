@@ -2,7 +2,7 @@
 
 use crate::geometry::section::{flat, length, tape};
 use crate::geometry::slices::{Ring, rings};
-use crate::geometry::spline::paper_girth;
+use crate::geometry::spline::{closed_spline_length, paper_girth};
 use nalgebra::Point3;
 use shape::{Mesh, Plane, Refusal};
 
@@ -15,12 +15,33 @@ pub struct SectionMeasurement {
     pub contour_mm: f64,
     /// Length of a tape around it. \[mm\]
     pub tape_mm: f64,
-    /// Length of the paper's spline. \[mm\]
-    pub spline_mm: f64,
+    /// What the paper's spline runs through.
+    pub spline: Spline,
     /// Share of the way around that another limb hides: bridged, or carried over from a clear section.
     pub carried: f64,
     /// Standard deviation of what the hidden part adds. \[mm\]
     pub sigma_mm: f64,
+}
+
+/// What the paper's spline runs through.
+#[derive(Debug, Clone)]
+pub enum Spline {
+    /// Points of the mesh near the contour.
+    Mesh,
+    /// These, in the plane, where a limb was taken off. \[mm\]
+    Knots(Vec<[f64; 2]>),
+}
+
+impl SectionMeasurement {
+    /// Length of the paper's spline; where there is none, the contour's. It takes longer than the tape, so sections that are only
+    /// compared do without. \[mm\]
+    pub fn spline_mm(&self, mesh: &Mesh) -> f64 {
+        let length = match &self.spline {
+            Spline::Mesh => paper_girth(mesh, &self.contour),
+            Spline::Knots(knots) => closed_spline_length(knots),
+        };
+        length.unwrap_or(self.contour_mm)
+    }
 }
 
 /// Why a section gives no girth.
@@ -40,13 +61,13 @@ pub(crate) fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
     all.into_iter().find(|r| far(r) <= least + 3.0)
 }
 
-pub(crate) fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<SectionMeasurement, Why> {
+pub(crate) fn plain(plane: &Plane, ring: Ring) -> Result<SectionMeasurement, Why> {
     let points = flat(&ring.curve, plane);
     let contour_mm = length(&points);
     Ok(SectionMeasurement {
         contour_mm,
         tape_mm: tape(&points),
-        spline_mm: paper_girth(mesh, &ring.curve).unwrap_or(contour_mm),
+        spline: Spline::Mesh,
         contour: ring.curve,
         carried: 0.0,
         sigma_mm: 0.0,

@@ -28,14 +28,14 @@ fn toward(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 /// Follows the outline from its middle at the front (`fore` 1) or the back (-1) to the outermost of
 /// a side, and finds where it first stops turning for long, or turns back.
 pub(super) fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<Seam> {
-    let n = points.len();
+    let (n, around) = (points.len(), length(points));
     // Seen so that the path runs from the top to the right.
     let seen = |i: usize| {
         let p = points[i % n];
         [side * (p[0] - middle[0]), fore * (p[1] - middle[1])]
     };
     let start = (0..n)
-        .filter(|i| seen(*i)[0].abs() < 0.03 * length(points) && seen(*i)[1] > 0.0)
+        .filter(|i| seen(*i)[0].abs() < 0.03 * around && seen(*i)[1] > 0.0)
         .min_by(|a, b| seen(*a)[0].abs().total_cmp(&seen(*b)[0].abs()))?;
     let end = (0..n).max_by(|a, b| seen(*a)[0].total_cmp(&seen(*b)[0]))?;
     // A counter-clockwise outline runs to the left at the front.
@@ -62,7 +62,7 @@ pub(super) fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) 
         let last = turned.last().copied().unwrap_or(raw);
         turned.push(raw + ((last - raw) / TAU).round() * TAU);
     }
-    let step = length(points) / n as f64;
+    let step = around / n as f64;
     let deep = (0..n).map(|i| seen(i)[1]).fold(0.0, f64::max);
     let mut best: Option<(f64, usize)> = None;
     for a in 0..long {

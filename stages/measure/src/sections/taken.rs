@@ -7,14 +7,13 @@ use crate::features::marks::hip;
 use crate::geometry::carry::{Carried, RAYS, carried, ray, reaches};
 use crate::geometry::section::{axes, flat, length, tape};
 use crate::geometry::slices::{Ring, rings};
-use crate::geometry::spline::closed_spline_length;
 use crate::sections::across_arm::across_arm;
 use crate::sections::across_arm_of_hull::across_arm_of_hull;
 use crate::sections::across_leg::across_leg;
 use crate::sections::hands::{holds, holds_hand, out_of_reach};
 use crate::sections::lobe::lobe;
 use crate::sections::one::{
-    FUSED, HAND, NO_ARMS, NOTHING, SectionMeasurement, Why, nearest, plain,
+    FUSED, HAND, NO_ARMS, NOTHING, SectionMeasurement, Spline, Why, nearest, plain,
 };
 use crate::sections::split::parted;
 use nalgebra::{Point3, Vector3};
@@ -34,7 +33,6 @@ pub fn taken(
     match (landmark.part, body) {
         // A forearm is clear of the trunk, or its limb was not followed.
         (Part::ArmLeft | Part::ArmRight, Some(_)) if landmark.region == Region::Forearm => plain(
-            mesh,
             &landmark.plane,
             nearest(mesh, &landmark.plane).ok_or(NOTHING)?,
         ),
@@ -44,7 +42,6 @@ pub fn taken(
         (Part::LegLeft, Some(body)) => across_leg(mesh, body, landmark, 1.0),
         (Part::LegRight, Some(body)) => across_leg(mesh, body, landmark, -1.0),
         _ => plain(
-            mesh,
             &landmark.plane,
             nearest(mesh, &landmark.plane).ok_or(NOTHING)?,
         ),
@@ -79,7 +76,7 @@ fn completed(origin: Point3<f64>, plane: &Plane, whole: Carried) -> SectionMeasu
             .collect(),
         contour_mm,
         tape_mm: tape(&whole.points),
-        spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
+        spline: Spline::Knots(knots),
         carried: whole.share,
         sigma_mm: 0.06 * whole.share * tape(&whole.points),
     }
@@ -167,7 +164,7 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
             return Err(FUSED);
         }
         if hanging.is_empty() {
-            return plain(mesh, plane, ring);
+            return plain(plane, ring);
         }
     }
     let sides = fused.iter().map(|arm| arm.side);
@@ -237,7 +234,7 @@ fn cut_off(body: &Body, sides: &[f64], ring: &Ring) -> Option<SectionMeasurement
             .collect(),
         contour_mm,
         tape_mm: tape(&free.points),
-        spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
+        spline: Spline::Knots(knots),
         carried: free.share,
         sigma_mm: free.sigma_mm,
     })

@@ -6,7 +6,7 @@ use crate::uncertainty::edges::{OPEN_SHARE, Unseen};
 use crate::uncertainty::interval::{Level, reach, reported, together};
 use crate::uncertainty::outlines::{Borders, shared_border, surface_by_cameras};
 use nalgebra::Point3;
-use shape::{Cameras, Girth, GirthId, Landmark, NINE_IN_TEN, Note, Refusal, Sigmas, Split};
+use shape::{Cameras, Girth, GirthId, Landmark, Mesh, NINE_IN_TEN, Note, Refusal, Sigmas, Split};
 use std::f64::consts::TAU;
 
 /// How much longer than its tape the skin around a waist may be: more points to a hole. By hand: not on record; it
@@ -30,6 +30,7 @@ pub(crate) struct Seen {
 
 /// What is known of the surface's error.
 pub(crate) struct Sure<'a> {
+    pub(crate) mesh: &'a Mesh,
     /// Even error along the normal, as declared and by the cells. \[mm\]
     pub(crate) surface_mm: f64,
     /// How far the surface is off the girths of silhouettes, along its normal. \[mm\]
@@ -118,6 +119,7 @@ impl Sure<'_> {
             },
         };
         // What is worn matters once the body under it may be outside of the interval.
+        let spline_mm = here.spline_mm(self.mesh);
         let worn = Some(seen.worn_mm).filter(|mm| *mm > reach(&sigmas));
         if let Some(mm) = worn {
             sigmas.cover_mm = Some(libm::hypot(mm, sigmas.cover_mm.unwrap_or(0.0)));
@@ -129,7 +131,7 @@ impl Sure<'_> {
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
         Ok(Girth {
             contour_mm: here.contour_mm,
-            spline_mm: here.spline_mm,
+            spline_mm,
             silhouette_mm: support.map(|s| s.girth),
             interval_mm,
             sigmas,
@@ -137,7 +139,7 @@ impl Sure<'_> {
             split: (here.carried > 0.0).then_some(Split {
                 share: here.carried,
             }),
-            notes: notes(landmark, &here, (seen, worn)),
+            notes: notes(landmark, &here, spline_mm, (seen, worn)),
             contour: here
                 .contour
                 .iter()
@@ -178,6 +180,7 @@ fn round(
 fn notes(
     landmark: &Landmark,
     here: &SectionMeasurement,
+    spline_mm: f64,
     (seen, worn): (&Seen, Option<f64>),
 ) -> Vec<Note> {
     let mut notes = Vec::new();
@@ -188,8 +191,8 @@ fn notes(
     if open > OPEN_SHARE {
         notes.push(Note::Open { share: open });
     }
-    if has_left(here.spline_mm, here.tape_mm, here.contour_mm) {
-        let share = here.spline_mm / here.contour_mm - 1.0;
+    if has_left(spline_mm, here.tape_mm, here.contour_mm) {
+        let share = spline_mm / here.contour_mm - 1.0;
         notes.push(Note::SplineLeft { share });
     }
     if landmark.id == GirthId::Waist && here.contour_mm > WAIST_FOLDS * here.tape_mm {
