@@ -1,4 +1,5 @@
 //! `tailor._native`: the engine and the product for Python. What Python sees is `python/tailor/`.
+#![cfg(feature = "extension")]
 
 mod artifact;
 mod asked;
