@@ -109,7 +109,7 @@ impl Layer {
         let mut against: Vec<usize> = Vec::new();
         let mut asked = 0;
         for (i, (_, camera, mask)) in views.iter().enumerate() {
-            let Some(body) = shows(camera, mask, point) else {
+            let Some(body) = mask.shows_point(camera, point) else {
                 continue;
             };
             asked += 1;
@@ -127,12 +127,6 @@ impl Layer {
         self.shared += usize::from(against.is_empty());
         against.iter().for_each(|i| self.cut[*i] += 1);
     }
-}
-
-/// Whether a photo shows a point as body; `None` where it does not look.
-fn shows(camera: &Camera, mask: &Mask, point: &Point3<f64>) -> Option<bool> {
-    let px = camera.project(point).filter(|px| camera.holds(*px))?;
-    Some(mask.shows(px))
 }
 
 #[cfg(test)]

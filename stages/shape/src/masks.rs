@@ -1,8 +1,8 @@
 //! Silhouettes: how much of each pixel the body covers.
 
 use crate::runs::{pixels, runs};
-use crate::{ByPhoto, Image, PhotoId};
-use nalgebra::Point2;
+use crate::{ByPhoto, Camera, Image, PhotoId};
+use nalgebra::{Point2, Point3};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
 /// How much of each pixel is body: 0 none, 255 all; the border runs where it crosses 127.5.
@@ -14,6 +14,12 @@ impl Mask {
         let (x, y) = (at_px.x.round(), at_px.y.round());
         let inside = x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64;
         inside && self.at(x as usize, y as usize) > 127
+    }
+
+    /// Whether a photo's mask has a point of space as body; `None` where the photo does not look.
+    pub fn shows_point(&self, camera: &Camera, x: &Point3<f64>) -> Option<bool> {
+        let px = camera.project(x).filter(|px| camera.holds(*px))?;
+        Some(self.shows(px))
     }
 
     /// How many pixels are body.

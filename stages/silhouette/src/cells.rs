@@ -42,12 +42,7 @@ impl Block {
 
     /// Centre of a cell. \[mm\]
     pub(crate) fn centre(&self, i: usize) -> Point3<f64> {
-        self.centre_of(self.at(i))
-    }
-
-    /// Centre of the cell at a place. \[mm\]
-    pub(crate) fn centre_of(&self, at: [usize; 3]) -> Point3<f64> {
-        let at = at.map(|n| n as f64 + 0.5);
+        let at = self.at(i).map(|n| n as f64 + 0.5);
         self.corner + Vector3::from(at) * self.cell
     }
 

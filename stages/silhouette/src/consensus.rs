@@ -1,8 +1,8 @@
 //! The cells around the body, and how many photos show each of them as background.
 
-use crate::against::{Outline, against};
 use crate::cells::Block;
 use nalgebra::Point3;
+use rayon::prelude::*;
 use shape::{Camera, Cameras, Mask, PhotoId};
 
 /// Cells along the greatest side of the block that is carved. By hand: looked at scene 131 with a plate, its photos
@@ -101,15 +101,33 @@ impl<'a> Together<'a> {
         if views.len() < 6 {
             return None;
         }
-        let outlines: Vec<Outline<'_>> = views.iter().map(|(_, m, c)| Outline::of(m, c)).collect();
-        let block = block(&views, &outlines, cameras.ground_mm)?;
-        let centre = |at: [usize; 3]| block.centre_of(at);
-        let against = against(&outlines, DISSENT, block.count, &centre);
+        let block = block(&views, cameras.ground_mm)?;
+        let cells = (0..block.len()).into_par_iter();
+        let against = cells.map(|i| against(&views, &block.centre(i))).collect();
         Some(Together {
             views,
             block,
             against,
         })
+    }
+}
+
+/// How many masks have a point outside, [`DISSENT`] + 1 at most; so many, too, where fewer than half of the photos see it.
+fn against(views: &[View<'_>], x: &Point3<f64>) -> u8 {
+    let (mut seen, mut against) = (0, 0);
+    for (_, mask, camera) in views {
+        let Some(body) = mask.shows_point(camera, x) else {
+            continue;
+        };
+        seen += 1;
+        against += u8::from(!body);
+        if against > DISSENT {
+            break;
+        }
+    }
+    match against <= DISSENT && seen * 2 < views.len() {
+        true => DISSENT + 1,
+        false => against,
     }
 }
 
@@ -119,7 +137,7 @@ const STEPS_ASIDE: usize = 40;
 const STEPS_UP: usize = 120;
 
 /// The block around all that is shown.
-fn block(views: &[View<'_>], outlines: &[Outline<'_>], ground: f64) -> Option<Block> {
+fn block(views: &[View<'_>], ground: f64) -> Option<Block> {
     let away = views
         .iter()
         .map(|(_, _, c)| c.centre())
@@ -127,16 +145,17 @@ fn block(views: &[View<'_>], outlines: &[Outline<'_>], ground: f64) -> Option<Bl
     let reach = away.fold(f64::MAX, f64::min) * 0.8;
     let step = reach / STEPS_ASIDE as f64;
     let aside = |n: usize| (n as f64 - STEPS_ASIDE as f64) * step;
-    let point =
-        |[i, j, k]: [usize; 3]| Point3::new(aside(i), aside(j), ground + (k as f64 + 0.5) * step);
     let wide = 2 * STEPS_ASIDE + 1;
-    let count = [wide, wide, STEPS_UP];
+    let shown = |i: usize| {
+        let [x, y] = [i % wide, i / wide % wide].map(aside);
+        let up = ground + ((i / wide / wide) as f64 + 0.5) * step;
+        let x = Point3::new(x, y, up);
+        (libm::hypot(x.x, x.y) < reach && against(views, &x) <= DISSENT).then_some(x)
+    };
+    let all = (0..wide * wide * STEPS_UP).into_par_iter();
     let (mut lo, mut hi) = ([f64::MAX; 3], [f64::MIN; 3]);
-    for (i, against) in against(outlines, DISSENT, count, &point).iter().enumerate() {
-        let x = point([i % wide, i / wide % wide, i / wide / wide]);
-        if *against <= DISSENT && libm::hypot(x.x, x.y) < reach {
-            (0..3).for_each(|a| (lo[a], hi[a]) = (lo[a].min(x[a] - step), hi[a].max(x[a] + step)));
-        }
+    for x in all.filter_map(shown).collect::<Vec<_>>() {
+        (0..3).for_each(|a| (lo[a], hi[a]) = (lo[a].min(x[a] - step), hi[a].max(x[a] + step)));
     }
     if lo[0] > hi[0] {
         return None;

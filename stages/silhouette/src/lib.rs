@@ -61,7 +61,6 @@
 //! colours. They are learned from pixels that cost more than 22, so some must. Where the scene is unknown the evidence of
 //! colours is not asked, and bodies that were found with it are taken as they are. A program that makes masks needs no Rust: see `docs/pipelines.md`.
 
-mod against;
 mod align;
 mod border;
 mod cells;

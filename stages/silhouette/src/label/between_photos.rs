@@ -154,8 +154,7 @@ fn opposite<'a, 'b>(view: &View<'b>, all: &'a [View<'b>]) -> &'a View<'b> {
 fn passes(view: &View<'_>, other_side: &View<'_>, block: &Block, against: &[u8]) -> Vec<u8> {
     let (_, mask, camera) = view;
     let open = |(_, mask, camera): &View<'_>, i: usize| {
-        let shown = camera.project(&block.centre(i));
-        shown.is_some_and(|px| camera.holds(px) && !mask.shows(px))
+        mask.shows_point(camera, &block.centre(i)) == Some(false)
     };
     let speaking = |i: usize| match against[i] {
         count @ 1..=DISSENT => count - u8::from(open(view, i)),
