@@ -11,18 +11,18 @@ use std::collections::BTreeMap;
 type ByHand = (&'static str, [usize; 2]);
 
 const CONSTANTS_BY_HAND: [ByHand; 12] = [
-    ("capture", [7, 29]),
+    ("capture", [7, 27]),
     ("follow", [0, 10]),
     ("hull", [2, 1]),
     ("io", [0, 4]),
     ("measure", [48, 29]),
     ("person", [2, 0]),
-    ("pose", [3, 70]),
+    ("pose", [3, 62]),
     ("refine", [1, 1]),
     ("report", [0, 3]),
-    ("shape", [5, 3]),
-    ("silhouette", [66, 36]),
-    ("turning", [5, 5]),
+    ("shape", [6, 4]),
+    ("silhouette", [56, 31]),
+    ("turning", [5, 4]),
 ];
 
 const DEFAULTS_BY_HAND: [ByHand; 7] = [

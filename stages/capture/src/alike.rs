@@ -1,7 +1,7 @@
 //! Whether the photos of a turn are alike: one size, one camera, one focal length, one turn.
 
 use crate::error::CaptureError;
-use shape::Photo;
+use shape::{LEAST_OF_TURN, Photo};
 use stage::{Message, message};
 
 stage::messages! {
@@ -57,8 +57,6 @@ pub(crate) fn not_one_turn(photos: &[Photo]) -> Vec<Message> {
 /// A pause between two turns is so many times longer than that between photos, and at least so long. By hand: not on
 /// record. \[1, s\]
 const PAUSE_BEYOND: (f64, f64) = (6.0, 45.0);
-/// Fewer photos than this are no turn of their own: one every 45°. By hand: not on record.
-const LEAST_OF_A_TURN: usize = 8;
 
 /// Where the folder may hold two turns: a long pause with enough photos before and after it.
 fn two_turns(photos: &[Photo]) -> Option<Message> {
@@ -69,7 +67,7 @@ fn two_turns(photos: &[Photo]) -> Option<Message> {
         .iter()
         .position(|pause| *pause > (PAUSE_BEYOND.0 * usual).max(PAUSE_BEYOND.1))?;
     let (before, after) = (at + 1, photos.len() - at - 1);
-    (before.min(after) >= LEAST_OF_A_TURN).then(|| {
+    (before.min(after) >= LEAST_OF_TURN).then(|| {
         let [last, first] = [at, at + 1].map(|i| &photos[i].name);
         message!(
             TWO_TURNS,

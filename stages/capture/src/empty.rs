@@ -7,6 +7,7 @@
 use crate::glance::{Glance, Together};
 use crate::verdict::{Findings, Grade, Seen, camera_is_fixed};
 use rayon::prelude::*;
+use shape::LEAST_OF_TURN;
 use stage::message;
 
 stage::messages! {
@@ -15,8 +16,6 @@ stage::messages! {
     LEAVE_OUT = "find-empty-mend": "leave it out, or take it again";
 }
 
-/// Fewer photos are too far apart to compare. By hand: not on record.
-const LEAST_PHOTOS: usize = 10;
 /// A pixel is unlike those of all other photos beyond this. By hand: not on record. \[levels\]
 const UNLIKE_LEVELS: f32 = 25.0;
 /// What does not move is as elsewhere within this. By hand: not on record. \[levels\]
@@ -49,7 +48,7 @@ pub(crate) fn absent(seen: &Seen<'_>, findings: &mut Findings<'_>) {
 /// The photos that do not show what all other photos show, by place.
 fn without_subject(all: &[Glance], together: &Together) -> Vec<usize> {
     let n = all.len();
-    if n < LEAST_PHOTOS || !camera_is_fixed(together) {
+    if n < LEAST_OF_TURN || !camera_is_fixed(together) {
         return vec![];
     }
     let even: Vec<Vec<[f32; 3]>> = all

@@ -139,7 +139,6 @@ mod tests {
             factor: 1,
             photo: Rgb::filled(2, 1, [60; 3]),
             background: vec![4.5, 28.5],
-            against_ground: vec![],
             mirrored: vec![],
             person: vec![],
             known: vec![Known::Unknown; 2],

@@ -43,8 +43,6 @@ pub struct PhotoEvidence {
     pub photo: Rgb,
     /// -ln p(pixel | background), up to a constant that is the same for all pixels. \[nats\]
     pub background: Vec<f32>,
-    /// By how much the grain of disk, floor or wall speaks against the one that is there without the body; empty where nobody asked. \[nats\]
-    pub against_ground: Vec<f32>,
     /// Log-odds of the body by a learned sense of a person; empty where the photos show none, or nobody asked. \[nats\]
     pub person: Vec<f32>,
     /// Light that the disk gains by what it mirrors of the body, three channels a pixel; empty where it mirrors nothing that
@@ -60,12 +58,7 @@ impl PhotoEvidence {
     /// Hash of all of it: for [`stage::Ctx::part`].
     pub fn content(&self) -> Hash {
         let known: Vec<u8> = self.known.iter().map(|k| *k as u8).collect();
-        let costs = [
-            &self.background,
-            &self.against_ground,
-            &self.person,
-            &self.mirrored,
-        ];
+        let costs = [&self.background, &self.person, &self.mirrored];
         let mut bytes = format!("{} {}", self.factor, self.noise_levels).into_bytes();
         let mut add = |part: &[u8]| bytes.extend_from_slice(stage::hash(part).as_bytes());
         add(self.photo.data.as_flattened());
@@ -99,11 +92,11 @@ pub struct Evidence {
 type Row = (u32, [u32; 2], u32, f32);
 
 /// The sections of a photo's costs, and of the light that it gains.
-const COSTS: [&str; 4] = ["background", "against disk", "person", "mirrored"];
+const COSTS: [&str; 3] = ["background", "person", "mirrored"];
 
 impl Artifact for Evidence {
     const KIND: &'static str = "evidence";
-    const FORMAT: u32 = 5;
+    const FORMAT: u32 = 6;
 
     fn pack(&self, to: &mut Packer) {
         let row = |(id, e): (PhotoId, &PhotoEvidence)| -> Row {
@@ -114,7 +107,7 @@ impl Artifact for Evidence {
         for (PhotoId(id), e) in self.views.iter() {
             to.section(format!("photo {id}"), &e.photo.data);
             to.section(format!("known {id}"), &Known::bytes(&e.known));
-            let costs = [&e.background, &e.against_ground, &e.person, &e.mirrored];
+            let costs = [&e.background, &e.person, &e.mirrored];
             for (name, cost) in COSTS.iter().zip(costs) {
                 let (lengths, kept) = repeats(cost);
                 to.section(format!("{name} {id} lengths"), &lengths);
@@ -145,9 +138,8 @@ impl Artifact for Evidence {
             let evidence = PhotoEvidence {
                 factor,
                 background,
-                against_ground: if_asked(COSTS[1], count)?,
-                person: if_asked(COSTS[2], count)?,
-                mirrored: if_asked(COSTS[3], 3 * count)?,
+                person: if_asked(COSTS[1], count)?,
+                mirrored: if_asked(COSTS[2], 3 * count)?,
                 known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
                 photo,
                 noise_levels,
@@ -165,11 +157,10 @@ mod tests {
     use super::*;
 
     fn evidence() -> Evidence {
-        let one = |against_ground: &[f32], person: &[f32]| PhotoEvidence {
+        let one = |person: &[f32]| PhotoEvidence {
             factor: 3,
             photo: Rgb::filled(3, 2, [4, 5, 6]),
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
-            against_ground: against_ground.to_vec(),
             person: person.to_vec(),
             mirrored: person.repeat(3),
             known: vec![
@@ -182,16 +173,7 @@ mod tests {
             ],
             noise_levels: 1.5,
         };
-        let (disk, seen) = (
-            [0.0, 0.0, 0.0, 0.0, 0.0, 7.5],
-            [-1.5, 0.0, 0.0, 2.5, 2.5, 2.5],
-        );
-        let views = [
-            one(&[], &[]),
-            one(&disk, &[]),
-            one(&[], &seen),
-            one(&disk, &seen),
-        ];
+        let views = [one(&[]), one(&[-1.5, 0.0, 0.0, 2.5, 2.5, 2.5])];
         Evidence {
             views: (0..).map(PhotoId).zip(views).collect(),
         }

@@ -7,6 +7,9 @@ use crate::{PhotoFile, PhotoId, Rgb, Rig};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Coded, Corrupt, Hash, Message, Packer, Unpacker, message};
 
+/// Fewer photos are no turn: one every 45°. By hand: not on record.
+pub const LEAST_OF_TURN: usize = 8;
+
 /// One photo.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Photo {

@@ -41,6 +41,3 @@ stage::inputs! {
         tracks: Option<Arc<Tracks>>,
     }
 }
-
-/// Photos that are needed at least: one every 45°. By hand: not on record.
-pub(crate) const LEAST_PHOTOS: usize = 8;

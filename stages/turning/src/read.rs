@@ -1,10 +1,10 @@
 //! What photos and people give: who is followed, through which lens, and where the joints are seen.
 
 use crate::error::MotionError;
-use crate::given::{LEAST_PHOTOS, MotionInput, MotionParams};
+use crate::given::{MotionInput, MotionParams};
 use crate::joints::Sights;
 use nalgebra::Point2;
-use shape::{Found, Intrinsics, People, PhotoId, Photos, film_to_px};
+use shape::{Found, Intrinsics, LEAST_OF_TURN, People, PhotoId, Photos, film_to_px};
 use stage::{Message, message};
 
 stage::messages! {
@@ -23,10 +23,10 @@ pub(crate) fn followed(input: &MotionInput) -> Result<Vec<PhotoId>, MotionError>
     let seen = all.filter(|id| input.people.subject(*id).is_some() && masked(*id));
     let ids: Vec<PhotoId> = seen.collect();
     match ids.len() {
-        n if n < LEAST_PHOTOS => Err(MotionError::NoPerson {
+        n if n < LEAST_OF_TURN => Err(MotionError::NoPerson {
             seen: n,
             of: input.photos.photos.len(),
-            least: LEAST_PHOTOS,
+            least: LEAST_OF_TURN,
         }),
         _ => Ok(ids),
     }
@@ -40,7 +40,7 @@ pub(crate) fn lens(
     let first = photos.photos.first().ok_or(MotionError::NoPerson {
         seen: 0,
         of: 0,
-        least: LEAST_PHOTOS,
+        least: LEAST_OF_TURN,
     })?;
     let (width, height) = (first.width, first.height);
     let film = |mm: f64| film_to_px(mm, width, height);

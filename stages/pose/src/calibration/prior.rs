@@ -40,8 +40,8 @@ const ROUNDED: f64 = 0.289;
 /// 3:2, the longest sensor, and 16:9 parts them alike).
 const CROPPED_RATIO: f64 = 1.6;
 /// Some cameras keep the focal length of the whole sensor for a crop (16:9 of 4:3: 8.2 % less than the crop's own),
-/// some do not. Standard deviation, as a share. By hand: not on record; even odds of both would be 4.1 %.
-const CROP_SIGMA: f64 = 0.05;
+/// some do not. Standard deviation, as a share (derived: even odds of both, half of what they differ by).
+const CROP_SIGMA: f64 = 0.041;
 
 /// How sure the focal length is before anything is seen, as a share of it. EXIF rounds to whole
 /// millimetres, and a crop may keep the number of the whole sensor.
@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(sigma(Some(26.5), 3000, 4000), 0.01);
         let rounded = sigma(Some(26.0), 3000, 4000);
         assert!((rounded - 0.01494).abs() < 1e-4, "{rounded}");
-        assert!(sigma(Some(26.5), 1080, 1920) > 0.05);
+        assert!(sigma(Some(26.5), 1080, 1920) > 0.04);
         assert_eq!(sigma(None, 3000, 4000), 0.5);
     }
 }

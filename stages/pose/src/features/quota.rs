@@ -6,7 +6,7 @@ use shape::Image;
 const STANDING_SHARE: f64 = 0.25;
 /// Contrast that suffices where things turn, as a share of that elsewhere. By hand: not on record.
 pub(crate) const FAINT_SHARE: f32 = 0.5;
-/// Cells along the longer side of a photo; each gives its strongest by turns. By hand: not on record.
+/// Cells along the longer side of a photo; each gives its strongest by turns (structural: the grid of a spread).
 const CELLS_ALONG: f32 = 40.0;
 
 /// A place with its contrast. \[px of the photo, levels\]

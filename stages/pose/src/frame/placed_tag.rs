@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 const SQUARE_SHARE: f64 = 0.06;
 
 /// Tags that are within this of level are on the ground. By hand: not on record. \[rad\]
-const LEVEL_RAD: f64 = 0.12;
+pub(crate) const LEVEL_RAD: f64 = 0.12;
 
 /// One tag in the world.
 pub(crate) struct PlacedTag {

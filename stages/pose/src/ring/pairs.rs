@@ -4,7 +4,7 @@ use crate::ring::start::Pair;
 use nalgebra::Vector2;
 use shape::{Observation, Tracks};
 
-/// How far apart in the turn photos are compared. By hand: not on record.
+/// How far apart in the turn photos are compared (derived: over so many steps features are followed).
 const PHOTOS_APART: usize = 3;
 /// Fewest features that hold a camera, or that a pair of photos has in common. By hand: not on record.
 pub(crate) const LEAST_FEATURES: usize = 12;

@@ -3,6 +3,7 @@
 //! Where the step of a turn is known, photo i should be at i steps. Whether a photo, or all from
 //! it on, fits the rest far better some whole steps elsewhere is tried, the best change first.
 
+use crate::ring::pairs::LEAST_FEATURES;
 use crate::ring::start::{Pair, Start, essential, robust};
 use stage::{Message, message};
 
@@ -18,8 +19,6 @@ const MOVED_STEPS: [i32; 6] = [-3, -2, -1, 1, 2, 3];
 const GAIN_SHARE: f64 = 0.25;
 /// And by this much a pair of features. By hand: not on record. \[px\]
 const GAIN_PX: f64 = 0.5;
-/// Fewest features that determine a photo's place. By hand: not on record.
-const LEAST_FEATURES: usize = 25;
 
 /// The place of each photo in the turn, in steps, and the start with those angles.
 pub(crate) fn placed(pairs: &[Pair], start: &Start) -> (Start, Vec<i32>) {

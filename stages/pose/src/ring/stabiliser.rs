@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 use shape::{ByPhoto, Cameras, Gray, Photo, Photos, Placed, Tracks, registered};
 
-/// Size to which photos are reduced before they are laid on each other. By hand: not on record. \[px\]
+/// Size to which photos are reduced before they are laid on each other (structural: a cap on work). \[px\]
 const LONGEST_PX: u32 = 1200;
 /// Longest way of a corner that a stabiliser goes, as a share of a photo's longer side: what went further is a camera
 /// that was moved. By hand: not on record.

@@ -112,7 +112,7 @@ fn spread<T: Copy>(all: Vec<T>, most: usize) -> Vec<T> {
 
 /// So many photos are glanced at where no tags are given (structural: a cap on work).
 const GLANCED_PHOTOS: usize = 3;
-/// What is found at a glance need not be found exactly: photos are reduced by this. By hand: not on record.
+/// What is found at a glance need not be found exactly: photos are reduced by this (structural: a cap on work).
 const GLANCE_REDUCED: f64 = 2.0;
 
 /// Whether tags show on some photos, spread over the turn: three of one photo are no chance.

@@ -1,7 +1,7 @@
 //! Tracks as points in the world: triangulation from known cameras.
 
 use nalgebra::{Matrix3, Point3, Vector3};
-use shape::{Camera, Intrinsics, PhotoId, Pose, Tracks};
+use shape::{Camera, Intrinsics, LEAST_PARALLAX_RAD, PhotoId, Pose, Tracks};
 
 /// A triangulated track: cameras by their place in the list, pixels.
 pub(crate) struct Seen {
@@ -9,9 +9,6 @@ pub(crate) struct Seen {
     pub(crate) observations: Vec<(usize, [f64; 2])>,
     pub(crate) rms_px: f64,
 }
-
-/// Least angle between rays that makes a point. By hand: not on record. \[rad\]
-const LEAST_PARALLAX_RAD: f64 = 0.03;
 
 /// The tracks whose points project within `most_px` of where they were seen.
 pub(crate) fn triangulated(

@@ -1,9 +1,8 @@
 //! The floor that a subject is on: a nearly level plane under which there is next to nothing.
 
+use crate::frame::placed_tag::LEVEL_RAD;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// How far the floor may be from level as the photos have it. By hand: not on record. \[rad\]
-const MOST_TILT_RAD: f64 = 0.12;
 /// How thick a floor is, as a share of the cameras' distance. By hand: not on record.
 const THICK_SHARE: f64 = 0.01;
 /// Least share of the points near the subject that are on the floor, and of those under it at most. By hand: not on
@@ -45,7 +44,7 @@ pub(crate) fn floor(
         };
         normal *= normal.dot(up).signum();
         let at = height(&a, &normal);
-        if normal.angle(up) > MOST_TILT_RAD || at > 0.0 {
+        if normal.angle(up) > LEVEL_RAD || at > 0.0 {
             continue;
         }
         let on = near
@@ -77,5 +76,5 @@ pub(crate) fn floor(
         .count();
     let share = |count: usize| count as f64 / near.len() as f64;
     let holds = on >= LEAST_POINTS && share(on) >= SHARES[0] && share(under) <= SHARES[1];
-    (holds && normal.angle(up) <= MOST_TILT_RAD).then(|| (normal, origin + normal * at))
+    (holds && normal.angle(up) <= LEVEL_RAD).then(|| (normal, origin + normal * at))
 }

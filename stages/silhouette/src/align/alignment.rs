@@ -3,18 +3,10 @@
 //! A stabiliser shifts each photo by a part of a pixel or more, and automatic exposure changes its
 //! light: compared as they are, nothing in them is still.
 
-use crate::align::exposure::exposure_beyond;
+use crate::align::exposure::exposure;
 use crate::raster::raster;
 use rayon::prelude::*;
 use shape::{Alignment, Gray, Placed, Rgb, Tones, register, registered};
-
-/// Photos of a turn are of the same exposure where ratios are off one by less than this: 0.43 levels of the middle of
-/// [`COMPARED_LEVELS`], of which half a level counts. By hand: looked at scene 132 without a plate, at 0.7 and 1.4 of
-/// it: equal masks.
-const SAME_EXPOSURE: f32 = 0.003;
-/// Levels by which exposures are compared. By hand: looked at scene 132 without a plate, from 28 and 56 on: equal
-/// masks.
-const COMPARED_LEVELS: std::ops::Range<usize> = 40..248;
 
 /// The photo laid on the plate, both reduced by a factor. Its exposure stays: the plate is brought to it.
 pub(crate) fn on_plate(photo: &Rgb, plate: &Gray, factor: usize) -> Alignment {
@@ -37,20 +29,8 @@ pub(crate) fn on_each_other(photos: &[Rgb]) -> Vec<Placed> {
 /// What brings photos to the exposure of the middle one, once they are laid on each other.
 pub(crate) fn exposed_alike(photos: &[Rgb], placed: &[Placed]) -> Vec<Option<Tones>> {
     let reference = middle(photos, placed);
-    let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME_EXPOSURE).filter(changes);
+    let alike = |photo: &Rgb| exposure(&reference, photo);
     photos.par_iter().map(alike).collect()
-}
-
-/// Whether levels change by half a level in the mean of a channel, those left out that are dark or cut off.
-fn changes(levels: &Tones) -> bool {
-    let off = |of: &[u8; 256]| -> u32 {
-        COMPARED_LEVELS
-            .map(|v| u32::from(of[v].abs_diff(v as u8)))
-            .sum()
-    };
-    levels
-        .iter()
-        .any(|of| 2 * off(of) >= COMPARED_LEVELS.len() as u32)
 }
 
 /// The middle of all photos, channel by channel, once their brightness is the same.

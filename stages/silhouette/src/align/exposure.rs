@@ -1,8 +1,7 @@
 //! A plate that was exposed otherwise than the photo: its levels brought to the photo's.
 //!
 //! Most of what both show is the same background, so of all ratios of their levels one is by far the most
-//! frequent: that of the exposures, channel by channel (a white balance changes, too). Around it the
-//! curve of the camera follows from the pixels that keep to it.
+//! frequent: that of the exposures, channel by channel (a white balance changes, too).
 
 use shape::{Rgb, Tones};
 
@@ -10,18 +9,13 @@ use shape::{Rgb, Tones};
 const BINS: usize = 240;
 /// How wide they are (structural: samples; the ratio is the mean of five of them).
 const BIN_WIDTH: f32 = 0.01;
-/// Levels of the plate that tell ratios: darker ones are too coarse, brighter ones may be cut off. By hand: looked at
-/// scene 131 with a plate, from level 28 and 56 on: equal masks.
+/// Levels that tell ratios: darker ones are too coarse, brighter ones may be cut off. By hand: looked at scenes 131 with a
+/// plate and 132 without, from level 28 and 56 on: equal masks.
 const TELLING_LEVELS: std::ops::RangeInclusive<u8> = 40..=248;
 /// Share of the telling pixels that must keep to the ratio. By hand: looked at scene 131 with a plate, at 0.7 and 1.4
 /// of it: equal masks.
 const KEEPING_SHARE: f32 = 0.12;
-/// How far from the ratio a pixel keeps to it, as a share, in two rounds. By hand: looked at scene 131 with a plate, no
-/// curve: mean IoU +0.0000, its waist +0.06 %.
-const KEEPS_WITHIN: [f32; 2] = [0.06, 0.03];
-/// Steps of the plate's levels in which the curve is found (structural: samples, between which it is straight).
-const LEVEL_STEP: usize = 16;
-/// Pixels that each step needs (structural: a count of samples; the mean of 150 that differ by 3 levels is sure to
+/// Pixels that tell what is cut off (structural: a count of samples; the mean of 150 that differ by 3 levels is sure to
 /// 0.25).
 const ENOUGH_PIXELS: u32 = 150;
 /// Telling pixels that a ratio needs (structural: a count of samples; of the fewest that then keep to it, 36 within
@@ -31,18 +25,10 @@ const ENOUGH_PAIRS: u32 = 300;
 /// there, since what is darker may be in a shadow. By hand: looked at scenes 131 with a plate and 132 without, from
 /// level 176 on: mean IoU at most −0.0019 (waist 3.0 %); from 255 on, or as bright as 60 of a hundred: equal masks.
 const CUT_OFF: (u8, usize) = (252, 85);
-/// Ratios that are off one by less than this are the same exposure. What the curve adds to it is a shadow rather than a
-/// camera's. By hand: looked at scene 131 with a plate, at 0.7 and 1.4 of it: mean IoU 0 and +0.0000.
-const SAME_EXPOSURE: f32 = 0.012;
 
 /// Levels of the plate as the photo would show them. `None` if they are exposed alike, or share too
 /// little to tell.
 pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Tones> {
-    exposure_beyond(photo, plate, SAME_EXPOSURE)
-}
-
-/// The same; ratios that are off one by less than `same` are the same exposure.
-pub(crate) fn exposure_beyond(photo: &Rgb, plate: &Rgb, same: f32) -> Option<Tones> {
     if (photo.width, photo.height) != (plate.width, plate.height) {
         return None;
     }
@@ -51,10 +37,10 @@ pub(crate) fn exposure_beyond(photo: &Rgb, plate: &Rgb, same: f32) -> Option<Ton
     for (c, levels) in levels.iter_mut().enumerate() {
         let pairs = Pairs::of(photo, plate, c);
         let gain = ratio(&pairs)?;
-        let curve = curve(&pairs, gain);
-        alike &= (gain - 1.0).abs() < same;
+        // Half a bin is no ratio.
+        alike &= (gain - 1.0).abs() < BIN_WIDTH / 2.0;
         for (level, to) in levels.iter_mut().enumerate() {
-            *to = (gain * level as f32 + between(&curve, level)).round() as u8;
+            *to = (gain * level as f32).round() as u8;
         }
         if let Some(bright) = pairs.where_cut_off() {
             levels[CUT_OFF.0 as usize..].fill(bright);
@@ -126,40 +112,4 @@ fn ratio(pairs: &Pairs) -> Option<f32> {
         .map(|b| place(b) * counts[b] as f32)
         .sum();
     Some(libm::expf(moment / around(best) as f32))
-}
-
-/// What the photo's levels are off `gain` times the plate's, at the middles of steps of the plate's
-/// levels; as beside it where too few pixels keep to the ratio.
-fn curve(pairs: &Pairs, gain: f32) -> [f32; 256 / LEVEL_STEP] {
-    let mut off = [0.0f32; 256 / LEVEL_STEP];
-    for near in KEEPS_WITHIN {
-        let (mut sums, mut counts) = ([0.0f64; 256 / LEVEL_STEP], [0u32; 256 / LEVEL_STEP]);
-        for (photo, plate, count) in pairs.each().filter(|(p, e, _)| *p.max(e) < CUT_OFF.0) {
-            let want = gain * f32::from(plate) + between(&off, usize::from(plate));
-            let by = f32::from(photo) - want;
-            if by.abs() <= (near * want).max(4.0) {
-                let step = usize::from(plate) / LEVEL_STEP;
-                let off = f64::from(f32::from(photo) - gain * f32::from(plate));
-                sums[step] += off * f64::from(count);
-                counts[step] += count;
-            }
-        }
-        let known: Vec<usize> = (0..off.len())
-            .filter(|s| counts[*s] >= ENOUGH_PIXELS)
-            .collect();
-        for (step, off) in off.iter_mut().enumerate() {
-            let nearest = known.iter().min_by_key(|k| k.abs_diff(step));
-            *off = nearest.map_or(0.0, |k| (sums[*k] / f64::from(counts[*k])) as f32);
-        }
-    }
-    off
-}
-
-/// The curve between the middles of its steps.
-fn between(curve: &[f32; 256 / LEVEL_STEP], level: usize) -> f32 {
-    let at = (level as f32 + 0.5) / LEVEL_STEP as f32 - 0.5;
-    let low = at.floor().clamp(0.0, (curve.len() - 2) as f32);
-    let share = (at - low).clamp(0.0, 1.0);
-    let low = low as usize;
-    curve[low] + share * (curve[low + 1] - curve[low])
 }

@@ -38,7 +38,7 @@ pub struct Align;
 
 impl Stage for Align {
     const NAME: &'static str = "silhouette.align";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Aligns photos with the plate, or with each other, and finds what brings them to one exposure.";
     type Params = AlignParams;
     type Input = AlignInput;

@@ -52,7 +52,7 @@ pub struct Border;
 
 impl Stage for Border {
     const NAME: &'static str = "silhouette.border";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and gives how much of each border pixel is body.";
     type Params = BorderParams;
     type Input = BorderInput;
@@ -170,10 +170,6 @@ impl Turn<'_> {
         let mut ready = Prepared::of(evidence, floor);
         ready.known.clone_from(&label.known);
         ready.add_odds(self.agreement.odds(id));
-        if let Some(found) = scene.bodies.get(id) {
-            let patches = found.background_patches.iter().map(|i| *i as usize);
-            ready.lay_bare(&patches.collect::<Vec<usize>>());
-        }
         let mask = fine(&pixels, &without, &ready, &label.body, &own, &self.settings);
         Ok(returned(alignment, mask))
     }

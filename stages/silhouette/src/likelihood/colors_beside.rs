@@ -4,15 +4,15 @@
 //! colour that the scene has close by, it is the scene's rather than the body's.
 
 use crate::likelihood::background::FLAT;
-use crate::scene::backdrop::Backdrop;
+use crate::scene::backdrop::{Backdrop, SAME_LEVELS};
 use shape::{Image, Rgb};
 
 /// How far away the scene is asked, as a share of the photo's height. By hand: not on record.
 const REACH_SHARE: f64 = 0.03;
 /// Places that are asked along a side of the neighbourhood (structural: samples).
 const ASKED_PLACES: usize = 17;
-/// How far colours of neighbours differ. By hand: not on record. \[levels\]
-pub(crate) const UNLIKE: f32 = 4.0;
+/// How far colours of neighbours differ (derived: those nearer are one). \[levels\]
+pub(crate) const UNLIKE: f32 = SAME_LEVELS as f32;
 /// What it costs that a colour is found beside its place. By hand: not on record. \[nats\]
 const BESIDE_NATS: f32 = 2.0;
 

@@ -10,6 +10,7 @@
 use crate::likelihood::background::CAP;
 use crate::likelihood::body::{OWN_COLOR, body_cost};
 use crate::likelihood::gmm::Gmm;
+use crate::likelihood::noise::LIKELY_NATS;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
 use crate::scene::disk_map::point;
 use crate::scene::disk_plane::on_disk;
@@ -30,9 +31,6 @@ const LEAST_LEFT_OVER: f32 = 1.0;
 /// So many independent differences count: neighbours share noise and blur. By hand: looked at scene 131 with a plate,
 /// at 0.7 and 1.4 of it: mean IoU +0.0001 and −0.0000.
 const COUNTED_DIFFERENCES: f32 = 4.0;
-/// What costs less tells nothing: beside soles shadows end within a window. By hand: looked at scene 131 with a plate,
-/// at 0.7 and 1.4 of it: mean IoU 0 and −0.0000. \[nats\]
-const TELLING_NATS: f32 = 3.0;
 
 /// Raises what pixels cost as the disk where they lack its grain; where nobody saw the disk nothing can be
 /// known. `covered` is what cannot show it; colours that the `body` evidently has not are not asked.
@@ -148,7 +146,7 @@ fn has(body: Option<&Gmm>, color: [u8; 3]) -> bool {
 fn unlikely(times: f32) -> f32 {
     let times = times.max(1.0);
     let cost = COUNTED_DIFFERENCES / 2.0 * (times - 1.0 - libm::logf(times));
-    if cost < TELLING_NATS { 0.0 } else { cost }
+    if cost < LIKELY_NATS { 0.0 } else { cost }
 }
 
 #[cfg(test)]

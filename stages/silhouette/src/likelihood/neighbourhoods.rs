@@ -2,6 +2,11 @@
 
 use shape::Rgb;
 
+/// Half the side of a neighbourhood at full size, and of the patches by which photos are compared. By hand: looked at scene
+/// 131 with a plate, at 1 and 3: mean IoU +0.0002 and −0.0001, its waist −0.4 and 0.0 %; of patches, scene 132 without a
+/// plate: +0.0007 and +0.0001. \[px\]
+pub(crate) const REACH_PX: usize = 2;
+
 /// Mean colours of the neighbourhoods of the pixels of a rectangle (left, top, right, bottom), cut
 /// off at its border.
 pub(crate) fn box_means(image: &Rgb, [x0, y0, x1, y1]: [usize; 4], reach: usize) -> Vec<[f32; 3]> {

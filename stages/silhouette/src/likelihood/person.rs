@@ -70,7 +70,6 @@ mod tests {
             factor: 1,
             small: raster(SIDE, SIDE, all.map(color).collect()),
             cost,
-            strange: Vec::new(),
             person,
             mirrored: Vec::new(),
             unforeseen: None,

@@ -3,6 +3,7 @@
 use crate::align::reduced::factor;
 use crate::cut::least_cut::Known;
 use crate::likelihood::background::{FLAT, Noise, background_cost};
+use crate::likelihood::body::STRANGE;
 use crate::likelihood::floor::Floor;
 use crate::likelihood::grounds::Grounds;
 use crate::scene::backdrop::Backdrop;
@@ -18,8 +19,6 @@ pub struct Prepared {
     pub small: Rgb,
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
-    /// What it costs more to call each pixel the bare disk, floor or wall, by its grain; empty where nobody asked.
-    pub strange: Vec<f32>,
     /// Log-odds of the body by a person's sense; empty where there is none.
     pub person: Vec<f32>,
     /// Light that pixels gain by what the disk mirrors of the body, three channels each; empty where it mirrors nothing.
@@ -41,7 +40,6 @@ impl Prepared {
             factor: evidence.factor as usize,
             small: evidence.photo.clone(),
             cost: evidence.background.clone(),
-            strange: evidence.against_ground.clone(),
             person: evidence.person.clone(),
             mirrored: evidence.mirrored.clone(),
             unforeseen: None,
@@ -61,9 +59,6 @@ impl Prepared {
         for (i, gained) in gained.chunks(3).enumerate() {
             if gained != [0.0; 3] && other.cost[i] < self.cost[i] {
                 self.cost[i] = other.cost[i];
-                if let Some(strange) = self.strange.get_mut(i) {
-                    *strange = other.strange[i];
-                }
             }
         }
         self.mirrored = gained;
@@ -83,7 +78,6 @@ impl Prepared {
             factor: self.factor as u32,
             photo: self.small,
             background: self.cost,
-            against_ground: self.strange,
             person: self.person,
             mirrored: self.mirrored,
             known: self.known,
@@ -104,8 +98,8 @@ impl Prepared {
 const COARSE_REACH_PX: usize = 1;
 
 /// What the background costs where nobody saw it: a little more than any colour of the body does, for it is the body
-/// that covers it. By hand: looked at scene 131 with a plate, at 9.8 and 19.6 more than [`FLAT`]: equal masks. \[nats\]
-pub(crate) const UNSEEN: f32 = FLAT + 14.0;
+/// that covers it (structural: by ln 2; at 9.8 and 19.6 more than [`FLAT`] masks are equal). \[nats\]
+pub(crate) const UNSEEN: f32 = STRANGE as f32 + std::f32::consts::LN_2;
 
 /// Makes a photo ready to be cut. `without` is what it would show without the subject, `coarse_px`
 /// the longest side of the reduced photo.
@@ -135,7 +129,6 @@ pub fn prepare(
     Prepared {
         factor,
         small,
-        strange: Vec::new(),
         person: Vec::new(),
         mirrored: Vec::new(),
         unforeseen: None,

@@ -23,7 +23,7 @@ pub struct Plate;
 
 impl Stage for Plate {
     const NAME: &'static str = "silhouette.plate";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Takes the plate as the empty scene: what its levels are on each photo, and how the disk on it is turned. Without a plate all is unknown.";
     type Params = ();
     type Input = PlateInput;

@@ -37,14 +37,11 @@ impl Backdrop {
 
 /// Colours nearer to each other than this are one. By hand: looked at scene 132 without a plate, at 3 and 6: mean IoU
 /// +0.0001 and −0.0000. \[levels\]
-const SAME_LEVELS: u8 = 4;
-/// And by so much of the contrast around that all photos share: cameras tremble, and some are less sharp. By hand:
-/// looked at 0 in its place, scene 132 without a plate: mean IoU +0.0001, least +0.0002.
-const TREMBLE_SHARE: f32 = 0.15;
+pub(crate) const SAME_LEVELS: u8 = 4;
 
 /// Whether a pixel's colours are alike but for one: near one of them.
-fn alike_but_one(colors: &[[u8; 3]], same: u8) -> bool {
-    let far = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|c| a[c].abs_diff(b[c]) > same);
+fn alike_but_one(colors: &[[u8; 3]]) -> bool {
+    let far = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|c| a[c].abs_diff(b[c]) > SAME_LEVELS);
     let mut all = colors.iter();
     all.any(|a| colors.iter().filter(|b| far(a, b)).nth(1).is_none())
 }
@@ -69,22 +66,6 @@ pub(crate) fn middle(shown: &[Vec<Option<[u8; 3]>>], side: usize) -> Backdrop {
     }
 }
 
-/// The greatest difference of a channel between a pixel and those beside it. \[levels\]
-fn contrast(photo: &Rgb) -> Vec<u8> {
-    let (w, h) = (photo.width, photo.height);
-    let mut most = vec![0; w * h];
-    let mut both = |i: usize, j: usize| {
-        let (a, b) = (photo.data[i], photo.data[j]);
-        let off = (0..3).fold(0, |off, c| a[c].abs_diff(b[c]).max(off));
-        (most[i], most[j]) = (off.max(most[i]), off.max(most[j]));
-    };
-    for y in 0..h {
-        (1..w).for_each(|x| both(y * w + x - 1, y * w + x));
-    }
-    (w..w * h).for_each(|i| both(i - w, i));
-    most
-}
-
 /// Pixels that all photos but one show alike; those that the moving ones enclose apart: what never
 /// changes amid the turn may be a plain body that covers it all the time.
 ///
@@ -96,12 +77,9 @@ pub fn still(photos: &[&Rgb]) -> Vec<bool> {
 /// Pixels that all photos but one show alike.
 fn fixed(photos: &[&Rgb]) -> Image<bool> {
     let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
-    let rough: Vec<Vec<u8>> = photos.par_iter().map(|p| contrast(p)).collect();
     let one = |i: usize| {
         let colors: Vec<[u8; 3]> = photos.iter().map(|p| p.data[i]).collect();
-        let shared = rough.iter().map(|r| r[i]).min().unwrap_or(0);
-        let same = SAME_LEVELS + (TREMBLE_SHARE * f32::from(shared)) as u8;
-        alike_but_one(&colors, same)
+        alike_but_one(&colors)
     };
     raster(w, h, (0..w * h).into_par_iter().map(one).collect())
 }

@@ -1,5 +1,6 @@
 //! What is doubtful about the outlines of a walk.
 
+use crate::border::soft_border::MIXED_PX;
 use crate::raster::as_mask;
 use crate::scene::still_and_disk::Shot;
 use crate::walk::colors::Colors;
@@ -9,9 +10,6 @@ use shape::{Image, signed_distance};
 /// How far from the outline colours are asked. By hand: looked at the walk of a test, at 0.7 and 1.4 of it: equal
 /// masks. \[px of the reduced photo\]
 const ASKED_WITHIN_PX: f32 = 12.0;
-/// Pixels this near to the outline may show both sides. By hand: looked at the walk of a test, at 0.7 and 1.4 of it:
-/// equal masks. \[px\]
-const MIXED_PX: f32 = 1.5;
 
 /// Share of the pixels near an outline that colours alone put on its side, both sides weighing alike.
 pub(crate) fn reported(shot: &Shot, sides: &Image<bool>, colors: &Colors) -> f64 {
@@ -19,7 +17,7 @@ pub(crate) fn reported(shot: &Shot, sides: &Image<bool>, colors: &Colors) -> f64
     let favour = colors.favours(&shot.small);
     let (mut right, mut count) = ([0usize; 2], [0usize; 2]);
     for (depth, favour) in depth.data.iter().zip(&favour.data) {
-        if (MIXED_PX..ASKED_WITHIN_PX).contains(&depth.abs()) {
+        if (MIXED_PX as f32..ASKED_WITHIN_PX).contains(&depth.abs()) {
             let side = usize::from(*depth > 0.0);
             count[side] += 1;
             right[side] += usize::from((*favour > 0.0) == (*depth > 0.0));

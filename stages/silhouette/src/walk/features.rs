@@ -3,7 +3,7 @@
 use crate::cells::Block;
 use crate::scene::still_and_disk::Shot;
 use nalgebra::{Matrix3, Point3, Vector2, Vector3};
-use shape::{Camera, PhotoId, Tracks};
+use shape::{Camera, LEAST_PARALLAX_RAD, PhotoId, Tracks};
 use std::collections::BTreeMap;
 
 /// A point, and where shots show it: places in the list of shots, pixels of their reduced photos.
@@ -15,9 +15,6 @@ pub(crate) struct Spot {
     pub(crate) sights: Vec<(usize, [f64; 2])>,
 }
 
-/// Least angle between rays that makes a point. By hand: looked at the walk of a test, at 0.7 and 1.4 of it: equal
-/// masks. \[rad\]
-const LEAST_PARALLAX_RAD: f64 = 0.05;
 /// Fewest sightings: one more than determine a point (derived: two rays).
 const LEAST_SIGHTS: usize = 3;
 /// A feature further from where its point projects makes none. By hand: looked at the walk of a test, at 0.7 and 1.4 of

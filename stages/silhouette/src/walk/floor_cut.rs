@@ -23,8 +23,8 @@ pub(crate) struct FloorCut {
 const SECTION_LAYERS: f64 = 2.0;
 /// Strict cells lack a rim: the section is wider by so many. By hand: not on record.
 const BESIDE_CELLS: usize = 2;
-/// A pixel belongs to the section where its smoothed cells reach this. By hand: not on record.
-const INSIDE_SHARE: f64 = 0.45;
+/// A pixel belongs to the section where its smoothed cells reach this (structural: half of them).
+const INSIDE_SHARE: f64 = 0.5;
 
 impl FloorCut {
     /// The plane through a block of cells at a height. \[mm\]
@@ -113,7 +113,7 @@ impl FloorCut {
         let (i, j) = (i as i64, j as i64);
         let low = value(i, j) * (1.0 - fx) + value(i + 1, j) * fx;
         let high = value(i, j + 1) * (1.0 - fx) + value(i + 1, j + 1) * fx;
-        low * (1.0 - fy) + high * fy > INSIDE_SHARE
+        low * (1.0 - fy) + high * fy >= INSIDE_SHARE
     }
 }
 

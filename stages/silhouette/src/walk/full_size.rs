@@ -1,16 +1,12 @@
 //! The outline of a reduced photo again at full size, window by window so that memory stays small.
 
-use crate::border::soft_border::{coverage, soft_border};
+use crate::border::soft_border::{MIXED_PX, REACH_PX, coverage, soft_border};
 use crate::border::tiles::{band, cut_again, of_small, settled};
 use crate::cut::least_cut::{Known, cut_by_odds};
 use crate::likelihood::background::Noise;
 use crate::walk::colors::Colors;
 use shape::{Image, Mask, Rgb};
 
-/// Half the side of the neighbourhood in which the background's colour is sought. By hand: not on record. \[px\]
-const REACH_PX: usize = 6;
-/// Pixels this near to the border may show both sides. By hand: not on record. \[px\]
-const MIXED_PX: f32 = 2.5;
 /// Noise that is believed of a photo. \[levels\]
 const NOISE: Noise = Noise::even(2.0);
 
@@ -65,18 +61,19 @@ fn by_colors(
 /// What the photo would show near the border without the subject: the mean of the background beside.
 fn beside(photo: &Rgb, sides: &Image<bool>) -> Rgb {
     let far = shape::signed_distance(&coverage(sides));
+    let mixed = MIXED_PX as f32;
     let (w, h) = (photo.width, photo.height);
     let mut without = photo.clone();
     for y in 0..h {
         for x in 0..w {
             let here = far.at(x, y);
-            if !(-MIXED_PX..=MIXED_PX).contains(&here) {
+            if !(-mixed..=mixed).contains(&here) {
                 continue;
             }
             let (mut sum, mut count) = ([0u32; 3], 0u32);
             for row in y.saturating_sub(REACH_PX)..(y + REACH_PX + 1).min(h) {
                 for column in x.saturating_sub(REACH_PX)..(x + REACH_PX + 1).min(w) {
-                    if far.at(column, row) < -MIXED_PX {
+                    if far.at(column, row) < -mixed {
                         (0..3).for_each(|c| sum[c] += u32::from(photo.at(column, row)[c]));
                         count += 1;
                     }

@@ -3,10 +3,10 @@
 use crate::cut::least_cut::{Known, Window, cut_by_odds};
 
 use crate::cells::Block;
+use crate::label::parts::SPECK_SHARE;
 use crate::raster::{as_mask, raster};
 use crate::scene::still_and_disk::Shot;
 use crate::walk::colors::Colors;
-use crate::walk::features::Spot;
 use shape::{Image, parts, signed_distance};
 
 /// What holds an outline to the cells.
@@ -33,18 +33,17 @@ pub(crate) fn cell_px(block: &Block, shot: &Shot) -> f32 {
     (block.cell * shot.camera.lens.focal[0] / far) as f32
 }
 
-/// The least cut of a reduced photo. `behind` are pixels that show something behind the subject.
+/// The least cut of a reduced photo.
 pub(crate) fn outline(
     shot: &Shot,
     depth: &Image<f32>,
     cell_px: f32,
     colors: &Colors,
-    behind: &[[f64; 2]],
     hold: &Hold,
     gamma: f64,
 ) -> Image<bool> {
     let (w, h) = (shot.small.width, shot.small.height);
-    let mut known: Vec<Known> = depth
+    let known: Vec<Known> = depth
         .data
         .iter()
         .map(|d| match *d < -hold.outside * cell_px {
@@ -52,12 +51,6 @@ pub(crate) fn outline(
             false => Known::Unknown,
         })
         .collect();
-    for px in behind {
-        let (x, y) = (px[0].round() as usize, px[1].round() as usize);
-        if x < w && y < h {
-            known[y * w + x] = Known::Background;
-        }
-    }
     let favour: Vec<f32> = shot
         .small
         .data
@@ -70,21 +63,14 @@ pub(crate) fn outline(
         .collect();
     let window = Window::all(&shot.small);
     let data = cut_by_odds(&shot.small, &window, gamma, &favour, &|i| known[i]);
-    let sides = raster(w, h, data);
-    // A gap is where colours speak for the background.
-    let open = |i: usize| colors.favour(shot.small.data[i], (i / w) as f64) < -1.0;
-    cleaned(&sides, &open)
+    cleaned(&raster(w, h, data))
 }
 
 /// Parts smaller than this part of the greatest are left out: cells have them in one piece, but an arm may hide what
 /// joins them. By hand: looked at the walk of a test, at 70 and 140: equal masks.
 const SPECK_PART: usize = 100;
-/// Holes smaller than this part of the greatest part are filled, and up to a tenth of it those where most pixels are
-/// not `open`. By hand: looked at the walk of a test, none filled: mean IoU −0.0005.
-const HOLE_PART: usize = 1000;
-
 /// Without specks, and without holes that are none.
-fn cleaned(sides: &Image<bool>, open: &dyn Fn(usize) -> bool) -> Image<bool> {
+fn cleaned(sides: &Image<bool>) -> Image<bool> {
     let (part, sizes) = parts(sides, true);
     let most = sizes.iter().copied().max().unwrap_or(0);
     let mut kept = Image {
@@ -100,33 +86,12 @@ fn cleaned(sides: &Image<bool>, open: &dyn Fn(usize) -> bool) -> Image<bool> {
         ..*sides
     };
     let (hole, sizes) = parts(&kept, false);
-    let mut opens = vec![0usize; sizes.len()];
-    for (i, h) in hole.data.iter().enumerate() {
-        if let Some(count) = opens.get_mut(*h as usize) {
-            *count += usize::from(open(i));
-        }
-    }
     for (keep, h) in kept.data.iter_mut().zip(&hole.data) {
-        let Some(size) = sizes.get(*h as usize) else {
-            continue;
-        };
-        let small = size * HOLE_PART < most;
-        let closed = size * 10 < most && 2 * opens[*h as usize] < *size;
-        *keep |= small || closed;
+        *keep |= sizes
+            .get(*h as usize)
+            .is_some_and(|size| (*size as f64) < SPECK_SHARE * most as f64);
     }
     kept
-}
-
-/// Pixels of a shot that show points outside of a block's cells' surroundings.
-pub(crate) fn behind(spots: &[Spot], k: usize, block: &Block, near: &[bool]) -> Vec<[f64; 2]> {
-    let outside = |s: &&Spot| block.cell_of(&s.at).is_none_or(|i| !near[i]);
-    let of = |s: &Spot| {
-        s.sights
-            .iter()
-            .find(|(shot, _)| *shot == k)
-            .map(|(_, px)| *px)
-    };
-    spots.iter().filter(outside).filter_map(of).collect()
 }
 
 /// A mask's evidence for pixels: as ln p(body) − ln p(background), sure beyond a cell from its border.

@@ -4,7 +4,7 @@ use crate::cells::Block;
 use crate::scene::still_and_disk::Shot;
 use crate::walk::doubt::alike;
 use crate::walk::find::{Search, Subject, cells, next_colors};
-use crate::walk::outline::{Hold, behind, cell_px, depth, outline, sureness};
+use crate::walk::outline::{Hold, cell_px, depth, outline, sureness};
 use crate::walk::space::Scene;
 use crate::walk::voxels::Belief;
 use rayon::prelude::*;
@@ -91,9 +91,8 @@ fn outlines(scene: &Scene<'_>, subject: &Subject, hold: &Hold, gamma: f64) -> Ve
     } = subject;
     let one = |(k, shot): (usize, &Shot)| {
         let depth = depth(block, solid, shot);
-        let behind = behind(scene.spots, k, block, solid);
         let px = cell_px(block, shot);
-        outline(shot, &depth, px, &colors[k], &behind, hold, gamma)
+        outline(shot, &depth, px, &colors[k], hold, gamma)
     };
     scene.shots.par_iter().enumerate().map(one).collect()
 }

@@ -11,21 +11,19 @@ use crate::likelihood::disk_colors::mixture;
 use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::{Ground, Grounds};
+use crate::likelihood::noise::LIKELY_NATS;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
 use crate::scene::backdrop::thinned;
 use crate::scene::disk_map::RIM;
 use crate::scene::disk_plane::DiskTop;
 use shape::Rgb;
 
-/// What costs so little more than the least as the ground may be it. By hand: looked at scene 131 with a plate, at 0.7
-/// and 1.4 of it: mean IoU −0.0000. \[nats\]
-const BARE_NATS: f32 = 3.0;
 /// How far windows are from each other on disk and floor, where shadows end within one, and on walls (structural: samples).
 const APART: [usize; 2] = [1, 2];
 /// Fewer bare places give no median (structural: samples).
 const FEW: usize = 40;
 
-/// Raises what pixels cost as the disk, the floor or a wall where they lack its grain, and keeps by how much: on the ground
+/// Raises what pixels cost as the disk, the floor or a wall where they lack its grain: on the ground
 /// shadows are deep, so light and hue tell little, and cloth of a wall's colour differs from it by its own grain. Nothing where
 /// it is not known where the floor is. `without` is what the photo would show without the subject, at full size.
 pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
@@ -36,7 +34,6 @@ pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
     let disk = disk(ready, &before, &map);
     let [floor, walls] = still(ready, &before, &map);
     let body = colors_above(ready, &disk);
-    ready.strange = vec![0.0; ready.cost.len()];
     for places in [disk, floor, walls] {
         let Some(usual) = usual(places.iter().flatten()) else {
             continue;
@@ -44,7 +41,6 @@ pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
         for (i, place) in places.iter().enumerate() {
             let strange = place.map_or(0.0, |p| unlikely(p.left / usual).min(CAP));
             if strange > 0.0 && has(body.as_ref(), ready.small.data[i]) {
-                ready.strange[i] = strange;
                 ready.raise(i, strange);
             }
         }
@@ -88,7 +84,7 @@ fn places(
     let place = |(i, left): (usize, f32)| {
         (left < f32::MAX).then(|| Place {
             left,
-            bare: ready.cost[i] < FLAT + BARE_NATS,
+            bare: ready.cost[i] < FLAT + LIKELY_NATS,
         })
     };
     let all = laid.left_over(apart).data.into_iter();

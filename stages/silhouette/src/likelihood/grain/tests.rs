@@ -218,7 +218,7 @@ fn with_a_plate_one_photo_shows_feet_from_wood_of_their_colour() {
                     let angle = k as f64 * std::f64::consts::TAU / PHOTOS as f64;
                     if shade(&hit, angle) < 0.9 {
                         shaded += 1;
-                        raised += u32::from(after.strange[i] > 0.0);
+                        raised += u32::from(after.cost[i] > before.cost[i]);
                     }
                 }
                 _ => {}
@@ -261,7 +261,7 @@ fn trousers_of_the_floors_colour_lack_its_grain_and_the_bare_floor_does_not() {
                 }
                 (Shown::Wall, None) => {
                     bare += 1;
-                    raised += u32::from(after.strange[i] > 0.0);
+                    raised += u32::from(after.cost[i] > before.cost[i]);
                 }
                 _ => {}
             }
@@ -296,5 +296,5 @@ fn shorts_of_the_walls_colour_lack_its_grain_and_the_bare_wall_does_not() {
     assert!(share(&wall.0, &|i| before.cost[i] < FLAT + 4.0) > 0.25);
     let found = share(&wall.0, &|i| after.cost[i] > FLAT + 4.0);
     assert!(found > 0.8, "{found}");
-    assert!(share(&wall.1, &|i| after.strange[i] > 0.0) < 0.04);
+    assert!(share(&wall.1, &|i| after.cost[i] > before.cost[i]) < 0.04);
 }
