@@ -30,6 +30,7 @@ pub(crate) struct Seen {
 
 /// What is known of the surface's error.
 pub(crate) struct Sure<'a> {
+    /// The surface.
     pub(crate) mesh: &'a Mesh,
     /// Even error along the normal, as declared and by the cells. \[mm\]
     pub(crate) surface_mm: f64,
@@ -119,13 +120,13 @@ impl Sure<'_> {
             },
         };
         // What is worn matters once the body under it may be outside of the interval.
-        let spline_mm = here.spline_mm(self.mesh);
         let worn = Some(seen.worn_mm).filter(|mm| *mm > reach(&sigmas));
         if let Some(mm) = worn {
             sigmas.cover_mm = Some(libm::hypot(mm, sigmas.cover_mm.unwrap_or(0.0)));
         }
         let hidden = landmark.sigma.hidden_mm.unwrap_or(0.0);
         let interval_mm = reported((tape_mm, mean), &sigmas, level.ends, (hidden, self.widest))?;
+        let spline_mm = here.spline_mm(self.mesh);
         let again = level
             .again
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
