@@ -11,7 +11,6 @@ use nix::unistd::Pid;
 use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, Stdio};
-use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -78,16 +77,11 @@ const NOT_COUNTED: [c::c_long; 27] = [
     c::SYS_exit_group,
 ];
 
-/// Nobody else waits for processes meanwhile.
-static ALONE: Mutex<()> = Mutex::new(());
 /// A process that takes longer hangs.
 const LONGEST: Duration = Duration::from_secs(30);
 
 /// Asks this test program to run a command line, with a fault.
 pub(crate) fn run(words: &[String], state: &str, fault: Fault) -> Ended {
-    let _alone = ALONE
-        .lock()
-        .unwrap_or_else(std::sync::PoisonError::into_inner);
     let mut child = Command::new(std::env::current_exe().unwrap())
         .args([
             "--exact",
@@ -163,9 +157,11 @@ fn watched(child: &mut Child, worker: Pid, fault: Fault) -> Ended {
     // Threads that are in a call, and whether it is to fail.
     let (mut inside, mut fails): (BTreeSet<Pid>, BTreeSet<Pid>) = Default::default();
     let mut started = false;
+    // Those that other tests started are theirs.
+    let own = WaitPidFlag::__WALL | WaitPidFlag::__WNOTHREAD;
     let main = Pid::from_raw(child.id() as i32);
     loop {
-        let status = match waitpid(None, Some(WaitPidFlag::__WALL)) {
+        let status = match waitpid(None, Some(own)) {
             Err(Errno::EINTR) => continue,
             status => status.unwrap(),
         };
