@@ -44,21 +44,23 @@ pub(crate) fn noisy(mesh: &Mesh, mm: f64, seed: u64) -> Mesh {
 }
 
 /// Arms so far from the sides, and the surface. \[tenths of a degree\]
-fn body(tenths: u32) -> (u32, Solid, Mesh) {
+fn body(tenths: u32) -> (u32, Solid, Given) {
     let solid = built(1700.0, 1.0, f64::from(tenths) / 10.0);
     let mesh = noisy(&meshed(&solid, CELL), 0.6, u64::from(tenths));
-    (tenths, solid, mesh)
+    (tenths, solid, Given::of(&mesh))
 }
 
 /// What is measured, each with the true tape of its plane.
-fn measured((tenths, solid, mesh): &(u32, Solid, Mesh), carved: bool) -> Vec<(Girth, f64)> {
+fn measured((tenths, solid, body): &(u32, Solid, Given), carved: bool) -> Vec<(Girth, f64)> {
     let given = Given {
         masks: carved.then(|| {
             Arc::new(Masks {
                 views: std::iter::empty().collect(),
             })
         }),
-        ..Given::of(mesh)
+        mesh: body.mesh.clone(),
+        found: body.features().into(),
+        ..Given::default()
     };
     let girths = given.measured().1;
     let own = |name: &&str| {

@@ -6,7 +6,7 @@ use shape::{BodyFeatures, Cameras, Girths, Landmarks, LostParts, Masks, Mesh, Pe
 use shape::{Scale, Solid};
 use stage::{Ctx, Host, Stage, Stop};
 use std::collections::HashMap;
-use std::sync::{Arc, LazyLock, Mutex};
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 use synth::{Build, body_solid, bounds, surface};
 
 /// Surfaces that a test has made, by what they are of: many ask for the same body.
@@ -59,6 +59,8 @@ pub(crate) struct Given {
     pub(crate) person: Option<Arc<Person>>,
     pub(crate) lost_parts: Option<Arc<LostParts>>,
     pub(crate) warned: Heard,
+    /// What is found on the surface, once it was asked for: landmarks and girths ask for the same.
+    pub(crate) found: OnceLock<Arc<BodyFeatures>>,
 }
 
 /// What is warned of.
@@ -90,13 +92,16 @@ impl Given {
         }
     }
 
-    fn features(&self) -> Arc<BodyFeatures> {
-        let input = BodyInput {
-            mesh: self.mesh.clone(),
-            cameras: self.on.clone(),
-            levels: None,
+    pub(crate) fn features(&self) -> Arc<BodyFeatures> {
+        let find = || {
+            let input = BodyInput {
+                mesh: self.mesh.clone(),
+                cameras: self.on.clone(),
+                levels: None,
+            };
+            Arc::new(FindBody::run(&(), input, &Ctx::alone()).unwrap())
         };
-        Arc::new(FindBody::run(&(), input, &Ctx::alone()).unwrap())
+        self.found.get_or_init(find).clone()
     }
 
     /// Its landmarks, or why there are none at all.
