@@ -52,7 +52,7 @@ fn folders() -> Place {
         place.write(file, "x");
     }
     place.write("bare/0000.jpg", "x");
-    place.photos("masked", 9);
+    place.photos("masked", 4);
     place.write("masked/masks/other.png", "x");
     place.write("torn.ply", "x");
     let cloud = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";

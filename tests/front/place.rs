@@ -117,6 +117,9 @@ impl Place {
         let mut bash = Command::new("bash");
         bash.env("XDG_STATE_HOME", self.path("state"));
         bash.env("LC_ALL", "C");
+        if let Some(cache) = self.1 {
+            bash.env("TAILOR_CACHE", cache);
+        }
         let out = bash.args(["-c", line]).current_dir(self.0.path());
         let out = out.output().unwrap();
         Printed {
