@@ -217,6 +217,7 @@ impl Camera {
     }
 
     /// Whether a pixel is on the photo.
+    #[inline]
     pub fn holds(&self, at_px: Point2<f64>) -> bool {
         let (w, h) = (f64::from(self.lens.width), f64::from(self.lens.height));
         at_px.x >= -0.5 && at_px.y >= -0.5 && at_px.x < w - 0.5 && at_px.y < h - 0.5

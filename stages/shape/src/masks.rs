@@ -10,13 +10,16 @@ pub type Mask = Image<u8>;
 
 impl Mask {
     /// Whether the body covers the pixel nearest to a point; nothing is body outside.
+    #[inline]
     pub fn shows(&self, at_px: Point2<f64>) -> bool {
-        let (x, y) = (at_px.x.round(), at_px.y.round());
+        // Cut towards zero after half a pixel more, they are rounded.
+        let (x, y) = (at_px.x + 0.5, at_px.y + 0.5);
         let inside = x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64;
         inside && self.at(x as usize, y as usize) > 127
     }
 
     /// Whether a photo's mask has a point of space as body; `None` where the photo does not look.
+    #[inline]
     pub fn shows_point(&self, camera: &Camera, x: &Point3<f64>) -> Option<bool> {
         let px = camera.project(x).filter(|px| camera.holds(*px))?;
         Some(self.shows(px))

@@ -5,9 +5,11 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Mask, PhotoId};
 
-/// Cells along the greatest side of the block that is carved. By hand: looked at scene 131 with a plate, its photos
+/// Most cells along the greatest side of the block that is carved. By hand: looked at scene 131 with a plate, its photos
 /// half as large, at 77 and 154: mean IoU −0.0000.
-const CELLS_ALONG: f64 = 210.0;
+const MAX_CELLS_ALONG: f64 = 210.0;
+/// Least edge of a cell on the masks (structural: a smaller one tells nothing that pixels do not). \[px\]
+const MIN_CELL_PX: f64 = 2.0;
 /// Photos that may dissent: one is the photo in question, one more may be wrong. By hand: not on record.
 pub(crate) const DISSENT: u8 = 2;
 /// Cells around all that is shown (structural).
@@ -161,7 +163,13 @@ fn block(views: &[View<'_>], ground: f64) -> Option<Block> {
         return None;
     }
     lo[2] = lo[2].max(ground);
-    let cell = (0..3).map(|a| hi[a] - lo[a]).fold(0.0, f64::max) / CELLS_ALONG;
+    let least = (0..3).map(|a| hi[a] - lo[a]).fold(0.0, f64::max) / MAX_CELLS_ALONG;
+    let middle = Point3::from([0, 1, 2].map(|a| (lo[a] + hi[a]) / 2.0));
+    let pixel = |(_, _, camera): &View<'_>| {
+        let seen = camera.project_with_depth(&middle);
+        seen.map_or(f64::MAX, |(_, depth)| depth / camera.lens.focal[0])
+    };
+    let cell = least.max(MIN_CELL_PX * views.iter().map(pixel).fold(f64::MAX, f64::min));
     let margin = cell * MARGIN;
     let count = [0, 1, 2].map(|a| ((hi[a] - lo[a] + 2.0 * margin) / cell) as usize + 1);
     // The lowest cells are cut through by the ground.

@@ -37,7 +37,7 @@ pub struct MakeBody;
 
 impl Stage for MakeBody {
     const NAME: &'static str = "synth.body";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Makes the closed surface of a solid; every vertex is on it.";
     type Params = BodyParams;
     type Input = BodyInput;

@@ -32,7 +32,6 @@ pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
         let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / DIRECTIONS as f64);
         let along = u * cos + v * sin;
         let value = |r: f64| field.value(&(from + along * r));
-        let inside = |r: f64| value(r) < 0.0;
         let mut high = STRIDE;
         while let Some(deep) = Some(-value(high)).filter(|deep| *deep > 0.0) {
             // So far inside no border comes within these strides.
@@ -42,18 +41,34 @@ pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
                 return None;
             }
         }
-        let mut low = high - STRIDE;
-        for _ in 0..42 {
-            let middle = (low + high) / 2.0;
-            if inside(middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(from + along * ((low + high) / 2.0))
+        Some(from + along * crossing(value, high - STRIDE, high))
     };
     (0..DIRECTIONS).into_par_iter().map(leave).collect()
+}
+
+/// Where a function that is negative at the lower end of an interval and not at the upper is 0: by chords, of which
+/// the end that stays counts half (Dowell and Jarratt 1971).
+fn crossing(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let (mut inside, mut outside, mut at) = (value(low), value(high), low);
+    let mut side = 0;
+    for _ in 0..60 {
+        let before = at;
+        at = low + (high - low) * (inside / (inside - outside)).clamp(0.0, 1.0);
+        let there = value(at);
+        let now = if there < 0.0 { -1 } else { 1 };
+        if now < 0 {
+            (low, inside) = (at, there);
+            outside *= if side == now { 0.5 } else { 1.0 };
+        } else {
+            (high, outside) = (at, there);
+            inside *= if side == now { 0.5 } else { 1.0 };
+        }
+        side = now;
+        if (at - before).abs() < 1e-10 || there == 0.0 {
+            break;
+        }
+    }
+    at
 }
 
 /// Length of a closed curve. \[mm\]

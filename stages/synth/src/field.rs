@@ -65,12 +65,16 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// The point of the surface near `p`, by Newton steps along the gradient.
+    /// The point of the surface near `p`, by Newton steps along a gradient, which is kept while the value shrinks by it.
     pub fn onto(&self, p: &Point3<f64>) -> Point3<f64> {
-        let mut p = *p;
-        for _ in 0..8 {
-            let (v, g) = (self.value(&p), self.gradient(&p));
-            let step = g * (v / g.norm_squared().max(0.05));
+        let (mut p, mut before, mut gradient) = (*p, 0.0, Vector3::zeros());
+        for _ in 0..16 {
+            let value = self.value(&p);
+            if value.abs() > before / 4.0 {
+                gradient = self.gradient(&p);
+            }
+            before = value.abs();
+            let step = gradient * (value / gradient.norm_squared().max(0.05));
             p -= step;
             if step.norm() < 1e-6 {
                 break;

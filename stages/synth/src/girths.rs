@@ -29,7 +29,7 @@ pub struct FormulaGirths;
 
 impl Stage for FormulaGirths {
     const NAME: &'static str = "synth.girths";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str =
         "Gives a solid's girths by its formula, at landmarks or at its own planes.";
     type Params = ();

@@ -50,7 +50,7 @@ const BODY_SHARES: (f64, f64) = (0.002, 0.9);
 
 impl Stage for Label {
     const NAME: &'static str = "silhouette.label";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Parts body and background on the reduced photos by least cuts: each alone, then again with what all photos have in common.";
     type Params = LabelParams;
     type Input = LabelInput;

@@ -45,19 +45,19 @@ impl Gmm {
         }
         let mut of = vec![0usize; colors.len()];
         for _ in 0..8 {
-            for (o, c) in of.iter_mut().zip(&colors) {
-                let far = |k: usize| (means[k] - c).norm_squared();
-                *o = (1..means.len()).fold(0, |best, k| if far(k) < far(best) { k } else { best });
+            let mut sums = vec![(Vector3::zeros(), 0.0); means.len()];
+            for (of, c) in of.iter_mut().zip(&colors) {
+                let far = means.iter().map(|mean| (mean - c).norm_squared());
+                let nearer = |best: (usize, f64), this: (usize, f64)| match this.1 < best.1 {
+                    true => this,
+                    false => best,
+                };
+                *of = far.enumerate().fold((0, f64::INFINITY), nearer).0;
+                let (sum, count) = &mut sums[*of];
+                *sum += c;
+                *count += 1.0;
             }
-            for (k, mean) in means.iter_mut().enumerate() {
-                let (mut sum, mut count) = (Vector3::zeros(), 0.0);
-                of.iter()
-                    .zip(&colors)
-                    .filter(|(o, _)| **o == k)
-                    .for_each(|(_, c)| {
-                        sum += c;
-                        count += 1.0;
-                    });
+            for (mean, (sum, count)) in means.iter_mut().zip(sums) {
                 if count > 0.0 {
                     *mean = sum / count;
                 }

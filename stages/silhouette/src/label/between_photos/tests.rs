@@ -8,6 +8,9 @@ const SIZE: (usize, usize) = (240, 320);
 
 /// A trunk on two legs, 22 mm apart, on a board. \[mm\]
 fn body(x: &Point3<f64>) -> bool {
+    if x.x.abs() > 112.0 || x.y.abs() > 55.0 {
+        return false;
+    }
     let leg = libm::hypot(x.x.abs() - 61.0, x.y) < 50.0;
     let trunk = (x.x / 112.0).powi(2) + (x.y / 55.0).powi(2) < 1.0;
     let board = x.x.abs() < 112.0 && x.y.abs() < 50.0 && (0.0..20.0).contains(&x.z);

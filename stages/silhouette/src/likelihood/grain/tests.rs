@@ -22,7 +22,9 @@ fn foot(side: f64, x: &Point3<f64>) -> f64 {
 
 /// Two legs on z = 0, with feet that point along y. \[mm\]
 fn body(x: &Point3<f64>) -> bool {
-    [-1.0, 1.0].into_iter().any(|side| {
+    // Most points that are asked are far from both.
+    let near = x.x.abs() < 142.0 && (-72.0..162.0).contains(&x.y) && (0.0..430.0).contains(&x.z);
+    near && [-1.0, 1.0].into_iter().any(|side| {
         let leg = libm::hypot(x.x - side * 100.0, x.y) < 42.0 && (0.0..430.0).contains(&x.z);
         leg || foot(side, x) < 42.0 && (0.0..55.0).contains(&x.z)
     })
