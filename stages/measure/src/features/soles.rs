@@ -45,7 +45,8 @@ const ANKLE_ABOVE: (f64, f64) = (0.06, 0.15);
 /// Standard deviation of a sole that shows, as a share of the body's height. By hand: looked at three scans, at 0.7 and
 /// 1.4 of it: no tape changes.
 const SOLE_SIGMA: f64 = 0.0015;
-/// Standard deviation of what ends without a foot, as a share of the body's height. By hand: not on record.
+/// Standard deviation of what ends without a foot, as a share of the body's height. By hand: looked at thirteen bodies with
+/// feet, at half and double of it: no tape changes.
 const NO_FOOT_SIGMA: f64 = 0.02;
 
 /// What a leg shows at a height, from the knee down.

@@ -25,9 +25,8 @@ pub(crate) struct NeckProfile {
 const ROWS: usize = 75;
 /// A row, as a share of the diameter (structural: samples).
 const ROW: f64 = 0.02;
-/// At least so many rows are unbroken above and below. By hand: looked at three scans, at 0.7 and 1.4 of it: no tape
-/// changes.
-const LEAST_ROWS: usize = 20;
+/// Rows of which a mean is taken, for a hull's facets jump: so many are unbroken above and below (structural: samples).
+const MEAN: usize = 5;
 
 /// Reads the outline. `None` where it has gaps.
 pub(crate) fn throat(tube: &Tube) -> Option<NeckProfile> {
@@ -37,14 +36,13 @@ pub(crate) fn throat(tube: &Tube) -> Option<NeckProfile> {
     let whole = |r: &&(f64, f64)| r.0 < 0.0 && r.1 > 0.0;
     let up = reach[ROWS..].iter().take_while(whole).count();
     let low = reach[..ROWS].iter().rev().take_while(whole).count();
-    if up < LEAST_ROWS || low < LEAST_ROWS {
+    if up < MEAN || low < MEAN {
         return None;
     }
     let range = ROWS - low..ROWS + up;
-    // Each the mean of five: a hull's facets jump.
     let smooth = |pick: &dyn Fn(&(f64, f64)) -> f64| -> Vec<f64> {
         let raw: Vec<f64> = reach[range.clone()].iter().map(pick).collect();
-        let near = |i: usize| &raw[i.saturating_sub(2)..(i + 3).min(raw.len())];
+        let near = |i: usize| &raw[i.saturating_sub(MEAN / 2)..(i + MEAN / 2 + 1).min(raw.len())];
         (0..raw.len())
             .map(|i| near(i).iter().sum::<f64>() / near(i).len() as f64)
             .collect()

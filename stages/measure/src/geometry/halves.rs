@@ -18,12 +18,13 @@ pub(crate) struct Half {
     pub(crate) sigma_mm: f64,
 }
 
-/// Legs that press each other share at most so much of a leg's tape: a wider cut goes through the trunk. By hand: not
-/// on record.
+/// Legs that press each other share at most so much of a leg's tape: a wider cut goes through the trunk. By hand:
+/// looked at thirteen bodies of which thighs touch on none, at half and double of it: no tape changes.
 const WIDEST_CUT: f64 = 0.25;
 /// A fold is within this share of both legs' breadth from their middle (structural: the middle third).
 const MIDDLE: f64 = 1.0 / 6.0;
-/// Doubt of a half ring's tape, as a share of what is cut: legs press each other out of shape. By hand: not on record.
+/// Doubt of a half ring's tape, as a share of what is cut: legs press each other out of shape. By hand: looked
+/// at thirteen bodies of which thighs touch on none, at half and double of it: no interval changes.
 const PRESSED_SIGMA: f64 = 0.06;
 
 /// The skin of a thigh's inner half is longer than a tape around that half by at most so much of the whole tape: more

@@ -4,10 +4,10 @@ use crate::features::body::Body;
 use crate::features::extent::extent;
 use crate::geometry::halves::{half, webbed};
 use crate::geometry::section::{axes, length};
-use crate::geometry::slices::Ring;
+use crate::geometry::slices::{Ring, nearest_ring};
 use crate::sections::hands::holds_hand;
 use crate::sections::lobe::lobe;
-use crate::sections::one::{FUSED, HAND, NOTHING, SectionMeasurement, Spline, Why, nearest, plain};
+use crate::sections::one::{FUSED, HAND, NOTHING, SectionMeasurement, Spline, Why, plain};
 use crate::sections::split::even;
 use nalgebra::Point3;
 use shape::{GirthId, Landmark, Mesh};
@@ -19,7 +19,7 @@ pub(crate) fn across_leg(
     landmark: &Landmark,
     side: f64,
 ) -> Result<SectionMeasurement, Why> {
-    let ring = nearest(mesh, &landmark.plane).ok_or(NOTHING)?;
+    let ring = nearest_ring(mesh, &landmark.plane).ok_or(NOTHING)?;
     if holds_hand(body, &ring, side) || lobe(body, &ring, side).is_some() {
         return Err(HAND);
     }

@@ -2,7 +2,7 @@
 //! where it turns back into the trunk's.
 
 use crate::features::limb::cuts::holds_origin;
-use crate::geometry::carry::{first_reaches, ray};
+use crate::geometry::rays::{first_reaches, ray};
 use crate::geometry::section::{length, tape};
 use crate::sections::bridge::{BRIDGED_SIGMA, bridge, walked};
 use crate::sections::fold::fold;

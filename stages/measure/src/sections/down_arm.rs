@@ -4,8 +4,8 @@ use crate::features::body::Body;
 use crate::features::limb::away;
 use crate::geometry::crop::slab;
 use crate::geometry::section::{axes, flat, hull};
-use crate::geometry::slices::Ring;
-use crate::sections::one::{FUSED, Why, nearest};
+use crate::geometry::slices::{Ring, nearest_ring};
+use crate::sections::one::{FUSED, Why};
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Plane};
 use std::f64::consts::PI;
@@ -112,7 +112,7 @@ impl<'a> DownArm<'a> {
             point_mm: point.into(),
             ..*self.plane
         };
-        let ring = nearest(&self.part, &there)?;
+        let ring = nearest_ring(&self.part, &there)?;
         let near = (ring.centre - point).norm() < 0.02 * self.stature;
         (ring.area < 0.25 * self.trunk && near).then_some(ring)
     }

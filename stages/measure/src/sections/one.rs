@@ -1,7 +1,7 @@
 //! What one section gives, or why it gives nothing; and the plain case, nothing taken off.
 
 use crate::geometry::section::{flat, length, tape};
-use crate::geometry::slices::{Ring, rings};
+use crate::geometry::slices::Ring;
 use crate::geometry::spline::{closed_spline_length, paper_girth};
 use nalgebra::Point3;
 use shape::{Mesh, Plane, Refusal};
@@ -17,7 +17,7 @@ pub struct SectionMeasurement {
     pub tape_mm: f64,
     /// What the paper's spline runs through.
     pub spline: Spline,
-    /// Share of the way around that another limb hides: bridged, or carried over from a clear section.
+    /// Share of the way around that another limb hides: bridged.
     pub carried: f64,
     /// Standard deviation of what the hidden part adds. \[mm\]
     pub sigma_mm: f64,
@@ -51,15 +51,6 @@ pub(crate) const NOTHING: Why = Refusal::NoSection;
 pub(crate) const NO_ARMS: Why = Refusal::NoArms;
 pub(crate) const FUSED: Why = Refusal::Fused;
 pub(crate) const HAND: Why = Refusal::Hand;
-
-/// The ring whose middle is the plane's point; of several there, the largest.
-pub(crate) fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
-    let all = rings(mesh, plane);
-    let p = Point3::from(plane.point_mm);
-    let far = |r: &Ring| (r.centre - p).norm();
-    let least = all.iter().map(far).fold(f64::MAX, f64::min);
-    all.into_iter().find(|r| far(r) <= least + 3.0)
-}
 
 pub(crate) fn plain(plane: &Plane, ring: Ring) -> Result<SectionMeasurement, Why> {
     let points = flat(&ring.curve, plane);

@@ -1,8 +1,9 @@
 //! Trunk and arms that are one on the surface, parted in a section at the seams that its outline shows.
 
 use super::bridge::{bridge, walked};
-use super::seams::{Seam, beyond_fold, opposite, seam};
+use super::seams::{Seam, beyond_fold, opposite, seams, vouched};
 use crate::geometry::section::{area, length};
+use std::ops::Range;
 
 /// A trunk freed of the arms in its section.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,24 +40,40 @@ pub(crate) fn even(outline: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     out
 }
 
-/// Parts the arms of the given sides (1 along the first axis, -1 against it) from a trunk. `outline`
-/// is in axes left and forward; `middle` is within the trunk. `None` where no seam is to be found.
-pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<Parted> {
-    if outline.len() < 8 {
+/// Parts arms from a trunk: `own` of outlines of neighbouring sections, from low to high, about the trunk's middle in axes left and forward.
+/// Each arm has its side (1 along the first axis, -1 against it) and in which sections it is one with the trunk. `None` where no seam
+/// is to be found.
+pub fn parted(
+    outlines: &[Vec<[f64; 2]>],
+    own: usize,
+    arms: &[(f64, Range<usize>)],
+) -> Option<Parted> {
+    if outlines[own].len() < 8 {
         return None;
     }
-    let mut points = even(outline, SAMPLES);
-    if area(&points) < 0.0 {
-        points.reverse();
-    }
+    let spread = |outline: &Vec<[f64; 2]>| {
+        let mut points = even(outline, SAMPLES);
+        if area(&points) < 0.0 {
+            points.reverse();
+        }
+        points
+    };
+    let sections: Vec<Vec<[f64; 2]>> = outlines.iter().map(spread).collect();
+    let points = &sections[own];
     let (mut bridged, mut sigma_mm) = (0.0, 0.0);
     let mut cuts = Vec::new();
-    for side in sides {
+    for (side, one) in arms {
         let at = |fore: f64| {
-            seam(&points, middle, *side, fore).or_else(|| beyond_fold(&points, *side, fore))
+            let all = |of: &[Vec<[f64; 2]>]| -> Vec<Vec<Seam>> {
+                of.iter().map(|s| seams(s, *side, fore)).collect()
+            };
+            let mut below = all(&sections[one.start..own]);
+            below.reverse();
+            let above = all(&sections[own + 1..one.end]);
+            vouched(&seams(points, *side, fore), [&below, &above])
+                .or_else(|| beyond_fold(points, *side, fore))
         };
-        let filled =
-            |other: Option<Seam>, fore: f64| opposite(&points, middle, (*side, fore), &other?);
+        let filled = |other: Option<Seam>, fore: f64| opposite(points, (*side, fore), &other?);
         let (front, back) = (at(1.0), at(-1.0));
         let guessed = front.and(back).map_or(FILLED, |_| 0.0);
         let (front, back) = (
@@ -153,12 +170,18 @@ mod tests {
         (union, own)
     }
 
+    /// One section, none beside it.
+    fn alone(outline: &[[f64; 2]], sides: &[f64]) -> Option<Parted> {
+        let arms: Vec<(f64, Range<usize>)> = sides.iter().map(|side| (*side, 0..1)).collect();
+        parted(&[outline.to_vec()], 0, &arms)
+    }
+
     #[test]
     fn arms_beside_a_trunk_are_taken_off_whether_the_folds_are_filled_or_open() {
         for filled in [false, true] {
             let (union, own) = with_arms(filled, false);
             assert!(tape(&union) > 1.1 * own);
-            let free = parted(&union, [0.0, 0.0], &[1.0, -1.0]).unwrap();
+            let free = alone(&union, &[1.0, -1.0]).unwrap();
             proof::near(tape(&free.points) / own, 1.0, 0.012);
             assert!(free.share > 0.1 && free.share < 0.45);
         }
@@ -169,25 +192,40 @@ mod tests {
     {
         let (union, own) = with_arms(false, true);
         assert!(beyond_fold(&even(&union, SAMPLES), 1.0, -1.0).is_none());
-        let free = parted(&union, [0.0, 0.0], &[1.0, -1.0]).unwrap();
+        let free = alone(&union, &[1.0, -1.0]).unwrap();
         let off = tape(&free.points) / own - 1.0;
         assert!(off > 0.0 && off < 0.06, "{off}");
         assert!(tape(&union) > 1.1 * own);
         let (open, _) = with_arms(false, false);
-        let open = parted(&open, [0.0, 0.0], &[1.0, -1.0]).unwrap();
+        let open = alone(&open, &[1.0, -1.0]).unwrap();
         assert!(free.sigma_mm > 1.3 * open.sigma_mm);
+    }
+
+    #[test]
+    fn a_breast_is_no_arm_wherever_the_trunks_middle_is_between_both() {
+        let (union, own) = with_arms(false, false);
+        // A furrow between two breasts, 20 mm deep.
+        let furrow = |p: &[f64; 2]| match p[1] > 60.0 {
+            true => [p[0], p[1] - 20.0 * libm::exp(-(p[0] / 30.0).powi(2))],
+            false => *p,
+        };
+        for off in [-25.0, -15.0, 0.0, 15.0, 25.0] {
+            let shifted = union.iter().map(furrow).map(|p| [p[0] + off, p[1]]);
+            let free = alone(&shifted.collect::<Vec<_>>(), &[1.0, -1.0]).unwrap();
+            proof::near(tape(&free.points) / own, 1.0, 0.015);
+        }
     }
 
     #[test]
     fn one_arm_may_be_taken_off_alone_and_nothing_is_taken_off_a_trunk_without_arms() {
         let (union, own) = with_arms(true, false);
-        let one = parted(&union, [0.0, 0.0], &[1.0]).unwrap();
+        let one = alone(&union, &[1.0]).unwrap();
         let free = tape(&one.points);
         assert!(free > 1.03 * own && free < tape(&union));
         let bare: Vec<[f64; 2]> = (0..360)
             .map(|k| libm::sincos(TAU * f64::from(k) / 360.0))
             .map(|(s, c)| [180.0 * c, 120.0 * s])
             .collect();
-        assert_eq!(parted(&bare, [0.0, 0.0], &[1.0, -1.0]), None);
+        assert_eq!(alone(&bare, &[1.0, -1.0]), None);
     }
 }
