@@ -29,7 +29,7 @@ const DEFAULTS_BY_HAND: [ByHand; 7] = [
     ("capture", [0, 1]),
     ("hull", [1, 0]),
     ("measure", [0, 1]),
-    ("pose", [1, 42]),
+    ("pose", [1, 35]),
     ("refine", [0, 38]),
     ("silhouette", [1, 18]),
     ("turning", [0, 2]),

@@ -1,8 +1,10 @@
 //! The stage that follows features over photos in any order.
 
+use crate::features::tracks::TracksParams;
 use crate::walk::chains::{Link, chained};
 use crate::walk::error::WalkError;
 use crate::walk::pairs::{Rules, Shared, again, chosen, compared, largest, parts};
+use crate::walk::stage::WalkParams;
 use rayon::prelude::*;
 use shape::{Features, Keypoints, PhotoId, Photos, Tracks};
 use stage::{Ctx, Stage, Stop};
@@ -17,7 +19,8 @@ stage::params! {
         preview: u32 = 1000,
         /// Fewest matches that must agree before two photos are compared in full.
         #[range(8..=1000)]
-        preview_least: u32 = 20,
+        #[source(derived = "as many as hold two photos together")]
+        preview_least: u32 = WalkParams::default().least,
         /// How many of them are compared with those of a photo that holds on; then all features are,
         /// along epipolar lines.
         #[range(100..=100000)]
@@ -38,7 +41,8 @@ stage::params! {
         /// How far a match may be off its epipolar line, in proportion more on photos of more than
         /// 2400 pixels.
         #[range(0.1..=50.0)]
-        epipolar_px: f64 = 2.5,
+        #[source(derived = "as of pose.tracks")]
+        epipolar_px: f64 = TracksParams::default().epipolar_px,
         /// Features that move less between two photos tell nothing of a camera that walks.
         #[range(0.0..=50.0)]
         still_px: f64 = 1.5,
@@ -47,10 +51,12 @@ stage::params! {
         least_moving: f64 = 0.5,
         /// Fewest matches that hold two photos together.
         #[range(8..=1000)]
-        least: u32 = 20,
+        #[source(derived = "as many as hold a camera of pose.walk")]
+        least: u32 = WalkParams::default().least,
         /// Photos of which no such share of the matches agrees have nothing in common.
         #[range(0.0..=1.0)]
-        least_share: f64 = 0.3,
+        #[source(derived = "as of pose.tracks: by chance a quarter of the matches agrees")]
+        least_share: f64 = TracksParams::default().least_share,
         /// Most samples of a pair's RANSAC.
         #[range(10..=100000)]
         #[source(structural)]

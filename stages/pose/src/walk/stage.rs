@@ -1,5 +1,6 @@
 //! The stage that finds the cameras of a walk.
 
+use crate::calibration::params::CalibrateParams;
 use crate::frame::circle::moved;
 use crate::walk::adjust::Terms;
 use crate::walk::error::WalkError;
@@ -28,13 +29,15 @@ stage::params! {
         focal_sigma: f64 = 0.15,
         /// How sure a focal length in pixels of capture.toml is, as a share of it.
         #[range(0.00001..=0.1)]
-        given_focal: f64 = 0.0005,
+        #[source(derived = "as of pose.calibrate")]
+        given_focal: f64 = CalibrateParams::default().given_focal,
         /// How far the principal point may be from the photo's middle, as a share of its longer side.
         #[range(0.0001..=0.2)]
         centre_sigma: f64 = 0.01,
         /// How sure a principal point of capture.toml is.
         #[range(0.01..=100.0)]
-        given_centre_px: f64 = 0.5,
+        #[source(derived = "as of pose.calibrate")]
+        given_centre_px: f64 = CalibrateParams::default().given_centre_px,
         /// How strong radial distortion may be.
         #[range(0.0001..=1.0)]
         radial_sigma: f64 = 0.1,
@@ -54,7 +57,8 @@ stage::params! {
         /// Features that are further from where they should (root mean square) are not believed; in
         /// proportion more on photos of more than 2400 pixels.
         #[range(0.1..=100.0)]
-        most_px: f64 = 2.0,
+        #[source(derived = "as of pose.calibrate")]
+        most_px: f64 = CalibrateParams::default().most_px,
         /// Fewest points that hold a camera.
         #[range(6..=1000)]
         least: u32 = 20,
