@@ -259,6 +259,11 @@ fn next(store: &Store, link: &Link, wait: bool) -> Option<Hash> {
 
 /// Notes what came of an upload.
 fn noted(store: &Store, link: &Link, key: Hash, came: Result<Came, Trouble>) {
+    // What is there waits no longer, before somebody who lists what waits takes it for one more.
+    if came.as_ref().is_ok_and(|came| *came != Came::Nothing) {
+        link.known().add(*key.as_bytes());
+        waiting::remove(store, link, key);
+    }
     let mut queue = link.queue();
     queue.running -= 1;
     match came {
@@ -273,11 +278,8 @@ fn noted(store: &Store, link: &Link, key: Hash, came: Result<Came, Trouble>) {
                     &key.to_hex()[..12]
                 ));
             }
-            if came != Came::Nothing {
-                link.known().add(*key.as_bytes());
-            }
             // Noted by somebody who writes the record only now: left to them.
-            if came != Came::Nothing || store.record(key).is_some() {
+            if came == Came::Nothing && store.record(key).is_some() {
                 waiting::remove(store, link, key);
             }
         }
