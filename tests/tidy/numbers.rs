@@ -21,7 +21,7 @@ const CONSTANTS_BY_HAND: [ByHand; 12] = [
     ("refine", [1, 1]),
     ("report", [0, 3]),
     ("shape", [6, 4]),
-    ("silhouette", [56, 31]),
+    ("silhouette", [51, 32]),
     ("turning", [5, 4]),
 ];
 
@@ -31,7 +31,7 @@ const DEFAULTS_BY_HAND: [ByHand; 7] = [
     ("measure", [0, 1]),
     ("pose", [1, 35]),
     ("refine", [0, 38]),
-    ("silhouette", [1, 18]),
+    ("silhouette", [1, 6]),
     ("turning", [0, 2]),
 ];
 

@@ -2,19 +2,28 @@
 
 use crate::align::rectangle::RectangleError;
 
+/// Weight of the length of the body's outline in every cut (γ). By hand: not on record.
+pub(crate) const GAMMA: f64 = 40.0;
+/// Clusters of each mixture of the colours of a body. By hand: not on record.
+pub(crate) const CLUSTERS: u32 = 6;
+/// Height of the side of the disk below its top that is not body. By hand: not on record. \[mm\]
+pub(crate) const DISK_SIDE_MM: f64 = 150.0;
+
 stage::params! {
     /// How photos are cut by their colours.
     pub struct CutParams {
         /// Weight of the border's length against colours (γ).
         #[range(0.0..=1000.0)]
-        gamma: f64 = 40.0,
+        #[source(derived = "γ of every cut")]
+        gamma: f64 = GAMMA,
         /// Rounds of fitting colours and cutting.
         #[range(1..=20)]
         #[source(structural)]
         rounds: u32 = 2,
         /// Clusters of the mixture of the body's colours.
         #[range(1..=20)]
-        clusters: u32 = 6,
+        #[source(derived = "as of every mixture")]
+        clusters: u32 = CLUSTERS,
     }
 }
 
@@ -30,7 +39,8 @@ stage::params! {
         coarse_px: u32 = 800,
         /// Height of the side of the disk below its top that is not body.
         #[range(0.0..=500.0)]
-        disk_side_mm: f64 = 150.0,
+        #[source(derived = "as wherever the disk is known")]
+        disk_side_mm: f64 = DISK_SIDE_MM,
         /// Whether what the other photos show decides where one alone is in doubt. Needs cameras.
         coherence: bool = true,
         /// A rectangle that holds the body on every photo, [left, top, right, bottom]; beyond it

@@ -5,20 +5,15 @@
 //! is, neighbourhoods that show it to the level are background, if it is sure by them against all that other photos,
 //! and a learned sense of a person, speak for the body. That those speak for the background was weighed by the cut.
 
+use crate::label::color_cut::OWN_NATS;
 use crate::likelihood::background::{FLAT, Ground, Likeness};
 use crate::likelihood::body::body_cost;
-use crate::likelihood::colors_beside::UNLIKE;
+use crate::likelihood::colors_beside::{REACH_SHARE, UNLIKE};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::person::SURE;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Rgb};
 
-/// A neighbourhood that costs the background no more than this shows it beyond doubt. By hand: looked at scene 131 with
-/// a plate, at 0.7 and 1.4 of it: mean IoU −0.0000 and +0.0000. \[nats\]
-const CERTAIN_NATS: f32 = FLAT + 2.0;
-/// How far away colours of the background are asked where nobody saw it, as a share of the photo's height. By hand:
-/// looked at scene 132 without a plate, none asked: mean IoU −0.0024, its hip +2.2 %.
-const REACH_SHARE: f64 = 0.027;
 /// So many places are asked along a row or column to each side (structural: samples).
 const ASKED_PLACES: usize = 16;
 
@@ -93,7 +88,7 @@ impl Gaps<'_> {
             let here = self.known[i];
             // No pixel costs less than the least.
             cost += (here - FLAT) / 9.0;
-            if cost >= CERTAIN_NATS - FLAT {
+            if cost >= OWN_NATS - FLAT {
                 return false;
             }
             let of_body = body_cost(self.body, self.photo.data[i]) - self.thinner;

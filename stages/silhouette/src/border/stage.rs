@@ -10,7 +10,7 @@ use crate::label::color_cut::Settings;
 use crate::likelihood::behind::Behind;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
-use crate::params::CutError;
+use crate::params::{CutError, GAMMA};
 use crate::raster::{as_mask, only};
 use rayon::prelude::*;
 use shape::{
@@ -25,7 +25,8 @@ stage::params! {
     pub struct BorderParams {
         /// Weight of the border's length against colours (γ).
         #[range(0.0..=1000.0)]
-        gamma: f64 = 40.0,
+        #[source(derived = "γ of every cut")]
+        gamma: f64 = GAMMA,
     }
 }
 
@@ -52,7 +53,7 @@ pub struct Border;
 
 impl Stage for Border {
     const NAME: &'static str = "silhouette.border";
-    const VERSION: u32 = 10;
+    const VERSION: u32 = 11;
     const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and gives how much of each border pixel is body.";
     type Params = BorderParams;
     type Input = BorderInput;

@@ -6,7 +6,7 @@ use crate::empty_scene::full_size::{Views, at_full_size, shots};
 use crate::empty_scene::without_plate::{Cuts, without_plate};
 use crate::label::color_cut::Settings;
 use crate::likelihood::person::sense;
-use crate::params::{CutError, CutParams};
+use crate::params::{CutError, CutParams, DISK_SIDE_MM};
 use crate::scene::backdrop::still;
 use crate::scene::still_and_disk::Shot;
 use shape::{
@@ -29,7 +29,8 @@ stage::params! {
         cut: CutParams = CutParams::default(),
         /// Height of the side of the disk below its top that is not body.
         #[range(0.0..=500.0)]
-        disk_side_mm: f64 = 150.0,
+        #[source(derived = "as wherever the disk is known")]
+        disk_side_mm: f64 = DISK_SIDE_MM,
     }
 }
 

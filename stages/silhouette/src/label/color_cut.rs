@@ -55,7 +55,7 @@ impl Settings {
 
 /// Neighbours that cost the background no more than this are its own: what noise of three channels adds on the mean
 /// (derived: 3/2). \[nats\]
-const OWN_NATS: f32 = FLAT + 1.5;
+pub(crate) const OWN_NATS: f32 = FLAT + 1.5;
 
 /// The coarse cut: which pixels are body, and the mixture of the body's colours. `None` if nothing can be body.
 pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {

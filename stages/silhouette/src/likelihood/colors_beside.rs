@@ -7,8 +7,9 @@ use crate::likelihood::background::FLAT;
 use crate::scene::backdrop::{Backdrop, SAME_LEVELS};
 use shape::{Image, Rgb};
 
-/// How far away the scene is asked, as a share of the photo's height. By hand: not on record.
-const REACH_SHARE: f64 = 0.03;
+/// How far away the scene is asked, as a share of the photo's height. By hand: looked at scene 132 without a plate, none
+/// asked in narrow gaps: mean IoU −0.0024, its hip +2.2 %.
+pub(crate) const REACH_SHARE: f64 = 0.03;
 /// Places that are asked along a side of the neighbourhood (structural: samples).
 const ASKED_PLACES: usize = 17;
 /// How far colours of neighbours differ (derived: those nearer are one). \[levels\]

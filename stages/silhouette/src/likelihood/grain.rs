@@ -10,7 +10,7 @@
 use crate::likelihood::background::CAP;
 use crate::likelihood::body::{OWN_COLOR, body_cost};
 use crate::likelihood::gmm::Gmm;
-use crate::likelihood::noise::LIKELY_NATS;
+use crate::likelihood::person::SURE;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
 use crate::scene::disk_map::point;
 use crate::scene::disk_plane::on_disk;
@@ -146,7 +146,7 @@ fn has(body: Option<&Gmm>, color: [u8; 3]) -> bool {
 fn unlikely(times: f32) -> f32 {
     let times = times.max(1.0);
     let cost = COUNTED_DIFFERENCES / 2.0 * (times - 1.0 - libm::logf(times));
-    if cost < LIKELY_NATS { 0.0 } else { cost }
+    if cost < SURE { 0.0 } else { cost }
 }
 
 #[cfg(test)]

@@ -7,13 +7,9 @@ use shape::{QUIET_SHARE, QUIET_SIGMAS, Rgb};
 /// 1.8 levels (3/2 ln 2π + 3 ln 1.8). By hand: looked at scene 131 with a plate, at 0.7 and 1.4 of it: mean IoU +0.0001
 /// and −0.0001. \[nats\]
 pub(crate) const FLAT: f32 = 4.5;
-/// What costs so little more than the least as the background is likely that. By hand: looked at scene 131 with a plate, at
-/// 0.7 and 1.4 of it, for bare ground and for grain: mean IoU at most −0.0000. \[nats\]
-pub(crate) const LIKELY_NATS: f32 = 3.0;
-
-/// Bounds of the noise that is believed: rounding, and a photo that shows nothing. By hand: looked at scene 131 with a
-/// plate, at 0.7 and 1.4 of the first: mean IoU +0.0000 and −0.0001; of the second: equal masks. \[levels\]
-const BELIEVED_LEVELS: (f32, f32) = (1.0, 40.0);
+/// Least noise that is believed: that of rounding, and a little more. By hand: looked at scene 131 with a plate, at 0.7 and
+/// 1.4 of it: mean IoU +0.0000 and −0.0001. \[levels\]
+const LEAST_LEVELS: f32 = 1.0;
 /// Some neighbourhoods are noisier than the median, whose deviation is taken so much larger. By hand: looked at scene
 /// 131 with a plate, at 0.7 and 1.4 of it: mean IoU −0.0000.
 const UNEVEN_FACTOR: f32 = 1.3;
@@ -78,8 +74,8 @@ impl Noise {
         let pixels = Spread::of(photo, expected, ground, 0);
         let around = Spread::of(photo, expected, ground, reach);
         let still_or = pixels.colors[0].unwrap_or(4.0);
-        let [still, disk] = [still_or, pixels.colors[1].unwrap_or(still_or)]
-            .map(|s| s.clamp(BELIEVED_LEVELS.0, BELIEVED_LEVELS.1));
+        let [still, disk] =
+            [still_or, pixels.colors[1].unwrap_or(still_or)].map(|s| s.max(LEAST_LEVELS));
         let at_most = |means: Option<f32>, single: f32| {
             means.unwrap_or(f32::MAX).min(single / QUIETER_FACTOR)
         };

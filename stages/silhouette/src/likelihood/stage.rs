@@ -8,7 +8,7 @@ use crate::likelihood::grain::missed_in_photo;
 use crate::likelihood::mirror::{Weighed, gained, mirroring};
 use crate::likelihood::person::sense;
 use crate::likelihood::prepared::{UNSEEN, prepare};
-use crate::params::CutError;
+use crate::params::{CutError, DISK_SIDE_MM};
 use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
 use shape::{Aligned, ByPhoto, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Scene};
@@ -20,7 +20,8 @@ stage::params! {
     pub struct LikelihoodParams {
         /// Height of the side of the disk below its top that is not body.
         #[range(0.0..=500.0)]
-        disk_side_mm: f64 = 150.0,
+        #[source(derived = "as wherever the disk is known")]
+        disk_side_mm: f64 = DISK_SIDE_MM,
     }
 }
 

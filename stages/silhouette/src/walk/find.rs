@@ -5,7 +5,7 @@ use crate::raster::as_mask;
 use crate::scene::still_and_disk::Shot;
 use crate::walk::colors::{Colors, Samples};
 use crate::walk::features::free;
-use crate::walk::space::Scene;
+use crate::walk::space::{SEEN_SHARES, Scene};
 use crate::walk::voxels::{Belief, evidence, solid};
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -82,9 +82,6 @@ pub(crate) fn find(
     }))
 }
 
-/// Fewest photos that must see a cell, as a share. By hand: looked at the walk of a test, at 0.7 and 1.4 of it: equal
-/// masks.
-const CLOSED_SHARE: f64 = 0.3;
 /// The evidence against a cell of one ray to a feature behind it, and how many count. By hand: looked at the walk of a
 /// test, none counted: mean IoU −0.0144. \[nats\]
 const FREE: (f32, u16) = (4.0, 5);
@@ -101,7 +98,7 @@ pub(crate) fn cells(
     search: &Search,
 ) -> Vec<bool> {
     let shots = scene.shots;
-    let least = (CLOSED_SHARE * shots.len() as f64).ceil().max(3.0) as u16;
+    let least = (SEEN_SHARES[1] * shots.len() as f64).ceil().max(3.0) as u16;
     let closed: Vec<bool> = block
         .seen(shots)
         .iter()

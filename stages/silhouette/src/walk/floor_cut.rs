@@ -19,10 +19,9 @@ pub(crate) struct FloorCut {
     section: Vec<bool>,
 }
 
-/// So many layers above the plane are estimated by the section alone. By hand: not on record.
-const SECTION_LAYERS: f64 = 2.0;
-/// Strict cells lack a rim: the section is wider by so many. By hand: not on record.
-const BESIDE_CELLS: usize = 2;
+/// Strict cells lack a rim: the section is wider by so many, and as many layers above the plane are estimated by it alone.
+/// By hand: not on record.
+const RIM_CELLS: usize = 2;
 /// A pixel belongs to the section where its smoothed cells reach this (structural: half of them).
 const INSIDE_SHARE: f64 = 0.5;
 
@@ -32,7 +31,7 @@ impl FloorCut {
         let layer = ((height - block.corner.z) / block.cell).floor();
         let layer = layer.clamp(0.0, (block.count[2] - 1) as f64) as usize;
         let above = (0..block.len())
-            .map(|i| solid[i] && block.centre(i).z > height + SECTION_LAYERS * block.cell)
+            .map(|i| solid[i] && block.centre(i).z > height + RIM_CELLS as f64 * block.cell)
             .collect();
         let [nx, ny, _] = block.count;
         let flat = Block {
@@ -43,7 +42,7 @@ impl FloorCut {
         FloorCut {
             height,
             above,
-            section: (0..BESIDE_CELLS).fold(section, |cells, _| flat.grown(&cells)),
+            section: (0..RIM_CELLS).fold(section, |cells, _| flat.grown(&cells)),
         }
     }
 

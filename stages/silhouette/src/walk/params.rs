@@ -1,5 +1,7 @@
 //! How a subject that was walked around is cut out, and why it may not be.
 
+use crate::params::{CLUSTERS, GAMMA};
+
 stage::params! {
     /// How a subject that was walked around is cut out.
     pub struct WalkParams {
@@ -22,13 +24,15 @@ stage::params! {
         passes: u32 = 2,
         /// Clusters of the mixture of the subject's colours; the background's has half as many more.
         #[range(1..=20)]
-        clusters: u32 = 6,
+        #[source(derived = "as of every mixture")]
+        clusters: u32 = CLUSTERS,
         /// Price of parting two cells.
         #[range(0.0..=100.0)]
         smooth: f64 = 1.0,
         /// Weight of an outline's length against colours (γ).
         #[range(0.0..=1000.0)]
-        gamma: f64 = 40.0,
+        #[source(derived = "γ of every cut")]
+        gamma: f64 = GAMMA,
         /// Height below which nothing is the subject: a pedestal's top. In the frame of the
         /// cameras; of a walk without scale their mean distance is 1000. By itself it ends at the
         /// floor, or where `whole` of the photos no longer show it.

@@ -27,8 +27,8 @@ pub(crate) struct Space {
     pub(crate) floor: Option<f64>,
 }
 
-/// Least share of the photos that see the space sideways, and up and down. By hand: not on record.
-const SEEN_SHARES: [f64; 2] = [0.95, 0.3];
+/// Least share of the photos that see the space sideways, and up and down, as each cell. By hand: not on record.
+pub(crate) const SEEN_SHARES: [f64; 2] = [0.95, 0.3];
 /// A floor is at least so much of the reach below where cameras look. By hand: not on record.
 const BELOW_SHARE: f64 = 0.05;
 /// What is within so much of the reach is likely the subject's. By hand: not on record.

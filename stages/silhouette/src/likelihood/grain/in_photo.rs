@@ -11,7 +11,7 @@ use crate::likelihood::disk_colors::mixture;
 use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::{Ground, Grounds};
-use crate::likelihood::noise::LIKELY_NATS;
+use crate::likelihood::person::SURE;
 use crate::likelihood::prepared::{Prepared, UNSEEN};
 use crate::scene::backdrop::thinned;
 use crate::scene::disk_map::RIM;
@@ -84,7 +84,7 @@ fn places(
     let place = |(i, left): (usize, f32)| {
         (left < f32::MAX).then(|| Place {
             left,
-            bare: ready.cost[i] < FLAT + LIKELY_NATS,
+            bare: ready.cost[i] < FLAT + SURE,
         })
     };
     let all = laid.left_over(apart).data.into_iter();

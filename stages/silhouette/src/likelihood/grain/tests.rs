@@ -98,14 +98,8 @@ fn photo(k: usize, legs: bool, wall: &Rgb, dice: &mut proof::Dice) -> (Shot, Vec
             let light = 0.9 + 0.12 * libm::sin(libm::atan2(hit.y, hit.x.abs() - 100.0) - angle);
             let spots = 4.0 * libm::sin(hit.x * 0.17) * libm::sin(hit.y * 0.13 + hit.z * 0.1);
             let skin = [176.0, 137.0, 114.0].map(|v| v * light + spots);
-            (
-                if hit.z < 55.0 {
-                    Shown::Foot
-                } else {
-                    Shown::Leg
-                },
-                skin,
-            )
+            let foot = hit.z < 55.0;
+            (if foot { Shown::Foot } else { Shown::Leg }, skin)
         } else if let Some(hit) = on_disk(&camera, at, RADIUS) {
             let shade = if legs { shade(&hit, angle) } else { 1.0 };
             let light = grain(&hit) * shade;
