@@ -34,7 +34,6 @@ pub use features::marks::{Marks, marks};
 pub use features::neck::{NeckFeatures, neck_features};
 pub use features::readings::{READINGS_VERSION, Reading, Readings, readings};
 pub use find_body::{BodyError, BodyInput, FindBody};
-pub use geometry::rays::{RAYS, ray, reaches};
 pub use geometry::section::{Loop, area, axes, centre, flat, hull, length, section, tape};
 pub use geometry::slices::{Ring, Slice, level, nearest_ring, rings, slices};
 pub use geometry::spline::{

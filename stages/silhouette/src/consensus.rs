@@ -8,7 +8,7 @@ use shape::{Camera, Cameras, Mask, PhotoId};
 /// Most cells along the greatest side of the block that is carved. By hand: looked at scene 131 with a plate, its photos
 /// half as large, at 77 and 154: mean IoU −0.0000.
 const MAX_CELLS_ALONG: f64 = 210.0;
-/// Least edge of a cell on the masks (structural: a smaller one tells nothing that pixels do not). \[px\]
+/// Least edge of a cell on the masks (structural: a smaller one shows no more than pixels do). \[px\]
 const MIN_CELL_PX: f64 = 2.0;
 /// Photos that may dissent: one is the photo in question, one more may be wrong. By hand: not on record.
 pub(crate) const DISSENT: u8 = 2;

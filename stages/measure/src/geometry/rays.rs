@@ -3,21 +3,11 @@
 use std::f64::consts::TAU;
 
 /// Directions around the middle (structural: samples).
-pub const RAYS: usize = 360;
+pub(crate) const RAYS: usize = 360;
 
-/// How far a closed curve reaches from the origin in each of [`RAYS`] directions: the farthest
-/// crossing. `None` where the ray misses it. \[mm\]
-pub fn reaches(curve: &[[f64; 2]]) -> Vec<Option<f64>> {
-    crossings(curve, f64::max)
-}
-
-/// How far it is from the origin to a closed curve in each of [`RAYS`] directions: the first crossing. \[mm\]
-pub(crate) fn first_reaches(curve: &[[f64; 2]]) -> Vec<Option<f64>> {
-    crossings(curve, f64::min)
-}
-
-/// One crossing of each ray: of two the one that is chosen. \[mm\]
-fn crossings(curve: &[[f64; 2]], chosen: fn(f64, f64) -> f64) -> Vec<Option<f64>> {
+/// How far it is from the origin to a closed curve in each of [`RAYS`] directions, of two crossings the one that is chosen.
+/// `None` where the ray misses it. \[mm\]
+pub(crate) fn reaches(curve: &[[f64; 2]], chosen: fn(f64, f64) -> f64) -> Vec<Option<f64>> {
     let step = TAU / RAYS as f64;
     let mut far: Vec<Option<f64>> = vec![None; RAYS];
     for (i, a) in curve.iter().enumerate() {
@@ -48,7 +38,7 @@ fn crossings(curve: &[[f64; 2]], chosen: fn(f64, f64) -> f64) -> Vec<Option<f64>
 }
 
 /// The unit vector of a ray.
-pub fn ray(k: usize) -> [f64; 2] {
+pub(crate) fn ray(k: usize) -> [f64; 2] {
     let (s, c) = libm::sincos(TAU * k as f64 / RAYS as f64);
     [c, s]
 }
@@ -63,7 +53,7 @@ mod tests {
             .map(|k| libm::sincos(TAU * f64::from(k) / 1000.0))
             .map(|(s, c)| [50.0 * c, 50.0 * s])
             .collect();
-        for r in reaches(&circle) {
+        for r in reaches(&circle, f64::max) {
             proof::near(r.unwrap(), 50.0, 1e-3);
         }
     }

@@ -2,7 +2,7 @@
 //! where it turns back into the trunk's.
 
 use crate::features::limb::cuts::holds_origin;
-use crate::geometry::rays::{first_reaches, ray};
+use crate::geometry::rays::{ray, reaches};
 use crate::geometry::section::{length, tape};
 use crate::sections::bridge::{BRIDGED_SIGMA, bridge, walked};
 use crate::sections::fold::fold;
@@ -35,7 +35,7 @@ pub(crate) fn freed_of_trunk(
     }
     // The trunk is far behind the folds.
     let far = 3.0 * radius;
-    let reach = first_reaches(outline).into_iter().enumerate();
+    let reach = reaches(outline, f64::min).into_iter().enumerate();
     let star: Vec<[f64; 2]> = reach
         .filter_map(|(k, r)| Some((ray(k), r?.min(far))))
         .map(|(way, r)| way.map(|x| x * r))

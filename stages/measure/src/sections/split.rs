@@ -120,6 +120,7 @@ pub fn parted(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::rays::{RAYS, ray, reaches};
     use crate::geometry::section::tape;
     use std::f64::consts::TAU;
 
@@ -159,11 +160,11 @@ mod tests {
             }
             solids.push(disk);
         }
-        let reach: Vec<Vec<Option<f64>>> = solids.iter().map(|s| crate::reaches(s)).collect();
-        let union = (0..crate::RAYS)
+        let reach: Vec<Vec<Option<f64>>> = solids.iter().map(|s| reaches(s, f64::max)).collect();
+        let union = (0..RAYS)
             .filter_map(|k| {
                 let far = reach.iter().filter_map(|r| r[k]).reduce(f64::max)?;
-                let [c, s] = crate::ray(k);
+                let [c, s] = ray(k);
                 Some([far * c, far * s])
             })
             .collect();

@@ -106,7 +106,7 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
     if landmark.region == Region::Chest && !(seen(1.0) && seen(-1.0)) {
         return Err(NO_ARMS);
     }
-    // Hands end beside the hip, where it widens: there they hide it, and a jump tells nothing.
+    // Hands end beside the hip, where it widens: there they hide it, and a jump is no sign of an arm.
     let beside_hands = landmark.region == Region::Hip;
     let mut hands = vec![];
     if fused.is_empty() {

@@ -14,7 +14,7 @@ use shape::{Image, Mask, Rgb};
 /// Half the side of the neighbourhood in which the body's colour is sought. By hand: looked at scene 131 with a plate,
 /// at 3 and 6: mean IoU +0.0006 and −0.0006. \[px\]
 pub(crate) const REACH_PX: usize = 4;
-/// Pixels this far from the border show one side only (derived: those nearer do not tell of the background, either). \[px\]
+/// Pixels this far from the border show one side only (derived: those nearer are not counted as background, either). \[px\]
 pub(crate) const MIXED_PX: i32 = SHY as i32;
 /// Body and background that differ by so much of the noise are believed as much as the cut's own border. By hand: looked at
 /// scene 131 with a plate, at 0.7 and 1.4 of it: mean IoU −0.0001 and +0.0002.
