@@ -36,7 +36,7 @@ pub fn aligned_to_jpeg(aligned: &Aligned, photos: &Photos) -> Result<NamedFiles,
         let there = aligned.of(id).brought(photo.decode()?);
         Ok((named(photos, id, "jpg"), rgb_to_jpeg(&there, 92)))
     };
-    photos.iter().map(one).collect()
+    aligned.photos(photos).iter().map(one).collect()
 }
 
 /// The scene without the body, and the map of the disk where there is one; what is unknown is magenta.

@@ -4,7 +4,7 @@ use crate::body::Networks;
 use crate::odd::odd;
 use crate::turn::{NotFound, followed, not_found};
 use rayon::prelude::*;
-use shape::{Found, People, Photo, PhotoId, Photos};
+use shape::{Found, LOOKED_AT_MPX, People, Photo, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub struct FindPeople;
 
 impl Stage for FindPeople {
     const NAME: &'static str = "silhouette.person";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Finds the person on each photo by two learned networks: a coarse mask and joints, and whether the photos agree that it is a person.";
     type Params = FindPeopleParams;
     type Input = FindPeopleInput;
@@ -34,7 +34,8 @@ impl Stage for FindPeople {
 
     fn run(_: &FindPeopleParams, input: FindPeopleInput, ctx: &Ctx<'_>) -> Result<People, Stop> {
         let networks = Networks::built_in()?;
-        let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();
+        let smaller = input.photos.within(LOOKED_AT_MPX);
+        let all: Vec<(PhotoId, &Photo)> = smaller.iter().collect();
         let steps = ctx.steps("photos", all.len());
         let one = |(id, photo): &(PhotoId, &Photo)| -> Result<(PhotoId, Vec<Found>), Stop> {
             let only: People = ctx.part("photo", &[photo.content()], || {
@@ -53,11 +54,11 @@ impl Stage for FindPeople {
         let all = followed(views.into_iter().collect());
         // Things are not reported: most captures of them are meant.
         if all.person {
-            let reported = odd(&all, &input.photos);
+            let reported = odd(&all, &smaller);
             reported.into_iter().for_each(|w| ctx.warn(w));
         }
         let (views, person) = (all.views, all.person);
-        Ok(People { views, person })
+        Ok(People { views, person }.of_photos(&smaller, &input.photos))
     }
 }
 

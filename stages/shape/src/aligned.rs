@@ -1,6 +1,6 @@
 //! Photos made comparable: where each is in one common place, and how its levels are brought to one exposure.
 
-use crate::{ByPhoto, Camera, Cameras, Image, PhotoId, Placed, Rgb};
+use crate::{ByPhoto, Camera, Cameras, Image, PhotoId, Photos, Placed, Rgb};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
 /// What each level of a picture is on another, by channel.
@@ -60,6 +60,8 @@ impl Alignment {
 pub struct Aligned {
     /// Place and levels of each photo; a photo that is not here is where and as it should be.
     pub views: ByPhoto<Alignment>,
+    /// Photos are looked at with so many million pixels at most; all else here is in pixels of these.
+    pub most_mpx: f64,
     /// The cameras, of the photos as they were taken.
     pub cameras: Option<Cameras>,
     /// Longest side of a reduced photo at most. \[px\]
@@ -72,6 +74,11 @@ impl Aligned {
     /// Place and levels of a photo.
     pub fn of(&self, id: PhotoId) -> &Alignment {
         self.views.get(id).unwrap_or(&Alignment::NONE)
+    }
+
+    /// The photos as they are looked at here.
+    pub fn photos(&self, photos: &Photos) -> Photos {
+        photos.within(self.most_mpx)
     }
 
     /// Its camera, as it was taken.
@@ -95,7 +102,7 @@ type Row = (u32, [f64; 5], bool);
 
 impl Artifact for Aligned {
     const KIND: &'static str = "aligned";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
         let row = |(id, view): (PhotoId, &Alignment)| -> Row {
@@ -108,7 +115,13 @@ impl Artifact for Aligned {
             (id.0, [x, y, roll, gain, bias], view.tones.is_some())
         };
         let rows: Vec<Row> = self.views.iter().map(row).collect();
-        to.meta(&(rows, &self.cameras, self.coarse_px, &self.box_px));
+        to.meta(&(
+            rows,
+            self.most_mpx,
+            &self.cameras,
+            self.coarse_px,
+            &self.box_px,
+        ));
         for (id, view) in self.views.iter() {
             if let Some(tones) = &view.tones {
                 to.section(format!("tones {}", id.0), tones.as_flattened());
@@ -117,7 +130,7 @@ impl Artifact for Aligned {
     }
 
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
-        let (rows, cameras, coarse_px, box_px): (Vec<Row>, _, _, _) = from.meta()?;
+        let (rows, most_mpx, cameras, coarse_px, box_px): (Vec<Row>, _, _, _, _) = from.meta()?;
         let view = |(id, [x, y, roll, gain, bias], toned): Row| {
             let placed = Placed {
                 shift: [x, y],
@@ -131,6 +144,7 @@ impl Artifact for Aligned {
         };
         Ok(Aligned {
             views: rows.into_iter().map(view).collect::<Result<_, Corrupt>>()?,
+            most_mpx,
             cameras,
             coarse_px,
             box_px,
@@ -189,6 +203,7 @@ mod tests {
             views: [(PhotoId(1), Alignment::NONE), (PhotoId(4), moved)]
                 .into_iter()
                 .collect(),
+            most_mpx: 6.0,
             cameras: None,
             coarse_px: 800,
             box_px: vec![1.0, 2.0, 3.0, 4.0],

@@ -14,6 +14,15 @@ pub struct Crop {
 }
 
 impl Crop {
+    /// The same on a photo that is larger by a factor.
+    pub(crate) fn scaled(&self, by: f32) -> Crop {
+        Crop {
+            centre_px: self.centre_px.map(|px| (px + 0.5) * by - 0.5),
+            side_px: self.side_px * by,
+            ..*self
+        }
+    }
+
     /// Where a point of the square is on the photo; (0, 0) and (1, 1) are corners of the square. \[px\]
     pub fn on_photo(&self, [u, v]: [f32; 2]) -> [f32; 2] {
         let (sin, cos) = libm::sincosf(self.angle);

@@ -10,6 +10,10 @@ use std::sync::{Arc, Mutex};
 #[derive(Clone)]
 pub struct PhotoFile {
     bytes: Arc<[u8]>,
+    /// The size of its picture, upright, where it is looked at smaller. \[px\]
+    pub(crate) larger: Option<[u32; 2]>,
+    /// Whether its smaller picture is kept once it is decoded.
+    pub(crate) keeps: bool,
     kept: Arc<Mutex<Option<Kept>>>,
 }
 
@@ -43,6 +47,8 @@ impl From<Vec<u8>> for PhotoFile {
     fn from(bytes: Vec<u8>) -> Self {
         PhotoFile {
             bytes: bytes.into(),
+            larger: None,
+            keeps: false,
             kept: Arc::default(),
         }
     }

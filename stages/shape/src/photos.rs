@@ -3,9 +3,11 @@
 //! Eighteen photos of 24 megapixels are 1.3 GB of pixels and 80 MB of files; a stage decodes
 //! the photo it works on and lets it go.
 
-use crate::{PhotoFile, PhotoId, Rgb, Rig};
+use crate::resize::MAX_KEPT_BYTES;
+use crate::{PhotoFile, PhotoId, Rgb, Rig, within};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Coded, Corrupt, Hash, Message, Packer, Unpacker, message};
+use std::sync::Arc;
 
 /// Fewer photos are no turn: one every 45°. By hand: not on record.
 pub const LEAST_OF_TURN: usize = 8;
@@ -77,12 +79,45 @@ impl Photo {
         }
     }
 
-    /// The pixels, upright.
+    /// The same photo, looked at with so many million pixels at most.
+    pub fn within(&self, most_mpx: f64) -> Photo {
+        let size = [self.width, self.height];
+        let [width, height] = within(size, most_mpx);
+        let mut photo = Photo {
+            width,
+            height,
+            ..self.clone()
+        };
+        if size != [width, height] {
+            photo.file.larger = Some(photo.file.larger.unwrap_or(size));
+        }
+        photo
+    }
+
+    /// The pixels, upright; of a photo that is looked at smaller, means of them. Those of [`Photos::within`] are kept
+    /// beside the file for who looks next, until something else is, but for too many.
     ///
     /// # Errors
     ///
     /// The file cannot be decoded, or is of another size than named.
     pub fn decode(&self) -> Result<Rgb, PhotoError> {
+        if self.file.larger.is_none() {
+            return self.decode_file();
+        }
+        let (width, height) = (self.width as usize, self.height as usize);
+        let by = stage::hash(format!("{width} {height}").as_bytes());
+        if let Some(small) = self.file.kept::<Rgb>(by) {
+            return Ok(Rgb::clone(&small));
+        }
+        let small = self.decode_file()?.shrunk(width, height);
+        if self.file.keeps {
+            self.file.keep(by, &Arc::new(small.clone()));
+        }
+        Ok(small)
+    }
+
+    /// All pixels of the file, upright.
+    fn decode_file(&self) -> Result<Rgb, PhotoError> {
         let error = |why: String| PhotoError {
             name: self.name.clone(),
             why,
@@ -91,17 +126,13 @@ impl Photo {
         let turn = image::metadata::Orientation::from_exif(self.orientation);
         image.apply_orientation(turn.unwrap_or(image::metadata::Orientation::NoTransforms));
         let rgb = image.into_rgb8();
-        if rgb.dimensions() != (self.width, self.height) {
-            return Err(error(format!(
-                "it is {}×{} pixels",
-                rgb.width(),
-                rgb.height()
-            )));
+        let size = [rgb.width(), rgb.height()];
+        if size != self.file.larger.unwrap_or([self.width, self.height]) {
+            return Err(error(format!("it is {}×{} pixels", size[0], size[1])));
         }
-        let (width, height) = (self.width as usize, self.height as usize);
         Ok(Rgb {
-            width,
-            height,
+            width: size[0] as usize,
+            height: size[1] as usize,
             data: bytemuck::cast_vec(rgb.into_raw()),
         })
     }
@@ -110,6 +141,13 @@ impl Photo {
     pub fn content(&self) -> Hash {
         let mut bytes = vec![self.orientation];
         bytes.extend_from_slice(stage::hash(&self.file).as_bytes());
+        if self.file.larger.is_some() {
+            bytes.extend(
+                [self.width, self.height]
+                    .map(u32::to_le_bytes)
+                    .as_flattened(),
+            );
+        }
         stage::hash(&bytes)
     }
 }
@@ -132,6 +170,19 @@ impl Photos {
             .iter()
             .enumerate()
             .map(|(i, photo)| (PhotoId(i as u32), photo))
+    }
+
+    /// The same photos, each looked at with so many million pixels at most.
+    pub fn within(&self, most_mpx: f64) -> Photos {
+        let mut photos: Vec<Photo> = self.photos.iter().map(|p| p.within(most_mpx)).collect();
+        let bytes = |photo: &Photo| 3 * u64::from(photo.width) * u64::from(photo.height);
+        let keeps = photos.iter().map(bytes).sum::<u64>() <= MAX_KEPT_BYTES;
+        photos.iter_mut().for_each(|photo| photo.file.keeps = keeps);
+        Photos {
+            photos,
+            plate: self.plate.as_ref().map(|p| p.within(most_mpx)),
+            rig: self.rig.clone(),
+        }
     }
 
     /// The photo.
@@ -163,7 +214,7 @@ impl Artifact for Photos {
     fn pack(&self, to: &mut Packer) {
         let meta = |p: &Photo| Meta {
             name: p.name.clone(),
-            size: [p.width, p.height],
+            size: p.file.larger.unwrap_or([p.width, p.height]),
             orientation: p.orientation,
             focal_35mm: p.focal_35mm,
             device: p.device.clone(),
@@ -202,5 +253,34 @@ impl Artifact for Photos {
             plate: plate.map(|m| photo(m, "plate")).transpose()?,
             rig,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rgb_to_png;
+
+    #[test]
+    fn a_photo_that_is_looked_at_smaller_is_stored_as_it_was_taken() {
+        let pixels = Rgb {
+            width: 6,
+            height: 4,
+            data: (0..24).map(|i| [i * 10, 7, 0]).collect(),
+        };
+        let whole = Photo::of("a.png", [6, 4], rgb_to_png(&pixels));
+        assert_eq!(whole.within(1.0), whole, "it has no more");
+        let photos = Photos {
+            photos: vec![whole.clone()],
+            ..Photos::default()
+        };
+        let small = &photos.within(6e-6).photos[0];
+        assert_eq!([small.width, small.height], [3, 2]);
+        for _ in 0..2 {
+            assert_eq!(small.decode().unwrap(), pixels.shrunk(3, 2), "and again");
+        }
+        assert_ne!(small.content(), whole.content());
+        let bytes = stage::to_bytes(&photos.within(6e-6));
+        assert_eq!(stage::from_bytes::<Photos>(&bytes).unwrap(), photos);
     }
 }

@@ -28,7 +28,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 39;
+    const VERSION: u32 = 40;
     const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what does not move, and the disk: silhouette.align, plate, room, likelihood, label and border in one.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;
@@ -42,6 +42,7 @@ impl Stage for GrabCut {
             people,
         } = input;
         let params = AlignParams {
+            most_mpx: p.most_mpx,
             coarse_px: p.coarse_px,
             box_px: p.box_px.clone(),
         };

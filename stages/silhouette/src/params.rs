@@ -1,6 +1,7 @@
 //! How the body is cut out, and why it may not be.
 
 use crate::align::rectangle::RectangleError;
+use shape::LOOKED_AT_MPX;
 
 /// Weight of the length of the body's outline in every cut (γ). By hand: not on record.
 pub(crate) const GAMMA: f64 = 40.0;
@@ -33,6 +34,10 @@ stage::params! {
         /// How photos are cut.
         #[group(flat)]
         cut: CutParams = CutParams::default(),
+        /// Photos are looked at with so many million pixels at most; masks come back at the photos' own size.
+        #[range(0.01..=100.0)]
+        #[source(structural)]
+        most_mpx: f64 = LOOKED_AT_MPX,
         /// Longest side at which the first cut is made; the border is cut again at full size.
         #[range(100..=4000)]
         #[source(structural)]

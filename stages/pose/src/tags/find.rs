@@ -3,7 +3,7 @@
 use crate::mat::recognise::{another, ringed};
 use crate::tags::corners::refined;
 use rayon::prelude::*;
-use shape::{ByPhoto, Photo, PhotoId, Photos, Tag, Tags};
+use shape::{ByPhoto, LOOKED_AT_MPX, Photo, PhotoId, Photos, Tag, Tags};
 use stage::{Ctx, Message, Stage, Stop, message};
 use std::sync::Arc;
 
@@ -52,7 +52,7 @@ pub struct FindTags;
 
 impl Stage for FindTags {
     const NAME: &'static str = "pose.tags";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str =
         "Finds AprilTags (family 36h11, Olson 2011) and their corners to a part of a pixel.";
     type Params = TagsParams;
@@ -156,6 +156,13 @@ fn unused_tags(tags: &Tags) -> Option<Message> {
     ))
 }
 
+/// The whole factor by which a photo has more pixels along a side than it is looked at with: tags are looked for there,
+/// and read and placed at full size.
+fn decimation(photo: &Photo) -> f64 {
+    let mpx = f64::from(photo.width) * f64::from(photo.height) / 1e6;
+    (mpx / LOOKED_AT_MPX).sqrt().floor().max(1.0)
+}
+
 /// The tags of one photo, sorted by number; a number that is seen twice is nobody's.
 fn find(photo: &Photo, p: &TagsParams) -> Result<Vec<Tag>, Stop> {
     let gray = photo.decode()?.gray();
@@ -174,7 +181,7 @@ fn find(photo: &Photo, p: &TagsParams) -> Result<Vec<Tag>, Stop> {
         .build()
         .map_err(|e| no(e.to_string()))?;
     detector.set_thread_number(1);
-    detector.set_decimation(p.decimate as f32);
+    detector.set_decimation(p.decimate.max(decimation(photo)) as f32);
     // The library's own refinement takes sines from the system: its last digits differ between systems.
     detector.set_refine_edges(false);
     let mut tags: Vec<Tag> = detector

@@ -4,8 +4,8 @@
 
 use crate::pictures::crop::Crop;
 use crate::pictures::pinhole::{halved_size, pinhole};
-use crate::pictures::prepare::{halvings, posed};
-use shape::{Cameras, Masks, Mesh, Outline, Photos};
+use crate::pictures::prepare::{halvings, looked_at, posed};
+use shape::{Cameras, Intrinsics, Masks, Mesh, Outline, Photos};
 
 /// Of a pixel of a picture: brightness, and the distance to the silhouette (structural: what the buffers hold). \[bytes\]
 const PICTURE_PIXEL: f64 = 8.0;
@@ -13,6 +13,10 @@ const PICTURE_PIXEL: f64 = 8.0;
 /// Of a pixel of a photo on its way to a picture: colours, brightness, distances, each before and
 /// after a step. One photo a thread (structural: what the buffers hold). \[bytes\]
 const PHOTO_PIXEL: f64 = 36.0;
+
+/// Of a pixel of a photo that is looked at smaller, before it is: colours, and its mask (structural: what the buffers
+/// hold). \[bytes\]
+const DECODED_PIXEL: f64 = 4.0;
 
 /// Of a vertex: what each photo shows there, its equations, its neighbours. \[bytes\]
 /// It is structural: what the memory is planned by.
@@ -34,7 +38,7 @@ const COVERS: f64 = 0.3;
 pub(crate) struct Need {
     /// Pixels of all pictures.
     pixels: f64,
-    /// Pixels of the largest photo.
+    /// Of the largest photo, on its way to a picture. \[bytes\]
     photo: f64,
     /// Photos whose outlines are known.
     outlines: f64,
@@ -59,18 +63,20 @@ impl Need {
         };
         let views = posed(photos, cameras);
         for (id, view) in &views {
-            let [width, height] = [view.camera.lens.width, view.camera.lens.height];
-            let photo = f64::from(width) * f64::from(height);
-            let halvings = halvings([width, height], level, most_mpx);
-            let whole = halved_size(&view.camera.lens, halvings);
+            let pixels = |lens: &Intrinsics| f64::from(lens.width) * f64::from(lens.height);
+            let lens = looked_at(&view.camera.lens, most_mpx);
+            let halvings = halvings([lens.width, lens.height], level, most_mpx);
+            let whole = halved_size(&lens, halvings);
             let picture = (whole[0] * whole[1]) as f64;
             let mask = masks.and_then(|masks| masks.views.get(*id));
             let share = mask.map_or(COVERS, |m| m.area() as f64 / m.data.len().max(1) as f64);
             need.outlines += f64::from(u8::from(mask.is_some()));
-            let shown = pinhole(&view.camera.lens, whole);
+            let shown = pinhole(&lens, whole);
             need.pixels += mask.map_or(picture, |mask| {
                 Crop::around(mask, &view.camera.lens, &shown).area() as f64
             });
+            let larger = pixels(&view.camera.lens) - pixels(&lens);
+            let photo = pixels(&lens) * PHOTO_PIXEL + larger * DECODED_PIXEL;
             need.photo = need.photo.max(photo);
             need.body += picture * share / views.len() as f64;
         }
@@ -81,7 +87,7 @@ impl Need {
     pub(crate) fn pictures(&self, copies: u32) -> f64 {
         let threads = rayon::current_num_threads() as f64;
         f64::from(copies) * self.pixels * PICTURE_PIXEL
-            + threads * self.photo * PHOTO_PIXEL
+            + threads * self.photo
             + self.outlines * (Outline::MOST_PIXELS * size_of::<f32>()) as f64
     }
 

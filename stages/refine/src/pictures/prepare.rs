@@ -3,7 +3,8 @@
 use crate::pictures::picture::{Picture, Shown};
 use rayon::prelude::*;
 use shape::{
-    Cameras, Intrinsics, Mask, Masks, Mesh, Outline, PhotoError, PhotoId, Photos, View, Warps,
+    Camera, Cameras, Intrinsics, LOOKED_AT_MPX, Mask, Masks, Mesh, Outline, PhotoError, PhotoId,
+    Photos, View, Warps, within,
 };
 use stage::Hash;
 use std::sync::Arc;
@@ -54,6 +55,16 @@ pub fn check(mesh: &Mesh) -> Result<(), RefineError> {
 /// record.
 const LEAST_PX: u32 = 500;
 
+/// The size at which a photo of a size is looked at first, before it is halved. \[px\]
+pub(crate) fn looked_at(lens: &Intrinsics, most_mpx: f64) -> Intrinsics {
+    let size = [lens.width, lens.height];
+    let [width, height] = within(size, most_mpx.max(LOOKED_AT_MPX));
+    match size == [width, height] {
+        true => *lens,
+        false => lens.resized(width, height),
+    }
+}
+
 /// How often a photo is halved: until it has at most `most_mpx` million pixels, then `level` times
 /// more, but not below [`LEAST_PX`].
 pub(crate) fn halvings([width, height]: [u32; 2], level: u32, most_mpx: f64) -> u32 {
@@ -88,6 +99,7 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
     if views.len() < 2 {
         return Err(RefineError::TooFew(views.len()).into());
     }
+    let smaller = photos.within(most_mpx.max(LOOKED_AT_MPX));
     views
         .par_iter()
         .map(|(id, view)| {
@@ -102,15 +114,22 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
                 }
                 .into());
             }
-            let halvings = halvings([lens.width, lens.height], level, most_mpx);
             let mask = masks.and_then(|m| m.views.get(*id));
             let mask =
                 mask.filter(|m| (m.width as u32, m.height as u32) == (lens.width, lens.height));
+            let lens = &looked_at(lens, most_mpx);
+            let camera = Camera {
+                lens: *lens,
+                pose: view.camera.pose,
+            };
+            let halvings = halvings([lens.width, lens.height], level, most_mpx);
             let by = made_by(lens, mask, halvings);
             if let Some(shown) = photo.file.kept::<Shown>(by) {
-                return Ok(Picture::of(&shown, &view.camera));
+                return Ok(Picture::of(&shown, &camera));
             }
-            let decoded = photo.decode()?;
+            let decoded = smaller.get(*id).unwrap_or(photo).decode()?;
+            let mask = mask.map(|mask| mask.resized(decoded.width, decoded.height));
+            let mask = mask.as_ref();
             let outline = mask.and_then(|mask| Outline::of(&decoded, mask));
             let mut shown = Shown::new(decoded.gray(), lens, mask, halvings);
             if let Some(outline) = outline {
@@ -121,7 +140,7 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
             if level > 0 {
                 photo.file.keep(by, &shown);
             }
-            Ok(Picture::of(&shown, &view.camera))
+            Ok(Picture::of(&shown, &camera))
         })
         .collect()
 }

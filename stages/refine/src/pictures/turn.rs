@@ -2,8 +2,10 @@
 
 use crate::pictures::need::Need;
 use crate::pictures::picture::Picture;
-use crate::pictures::prepare::{RefineError, check, footprint, halvings, pictures, posed};
-use shape::{Cameras, Masks, Mesh, PhotoError, Photos, View};
+use crate::pictures::prepare::{
+    RefineError, check, footprint, halvings, looked_at, pictures, posed,
+};
+use shape::{Camera, Cameras, LOOKED_AT_MPX, Masks, Mesh, PhotoError, Photos, View};
 use std::sync::Arc;
 
 stage::params! {
@@ -13,10 +15,10 @@ stage::params! {
         #[range(0..=6)]
         #[source(structural)]
         level: u32 = 0,
-        /// Photos are halved first until they have at most so many million pixels.
+        /// Photos are looked at with so many million pixels at most: means first, then halved.
         #[range(0.1..=100.0)]
         #[source(structural)]
-        most_mpx: f64 = 6.0,
+        most_mpx: f64 = LOOKED_AT_MPX,
     }
 }
 
@@ -62,11 +64,10 @@ impl TurnInput {
         check(&self.mesh)?;
         let views = posed(&self.photos, &self.cameras);
         let blank = |view: &View| {
-            let [width, height] = [view.camera.lens.width, view.camera.lens.height];
-            Picture::blank(
-                &view.camera,
-                halvings([width, height], size.level, size.most_mpx),
-            )
+            let lens = looked_at(&view.camera.lens, size.most_mpx);
+            let halvings = halvings([lens.width, lens.height], size.level, size.most_mpx);
+            let pose = view.camera.pose;
+            Picture::blank(&Camera { lens, pose }, halvings)
         };
         let blanks: Vec<Picture> = views.iter().map(|(_, view)| blank(view)).collect();
         let footprint = footprint(&self.mesh, &blanks);

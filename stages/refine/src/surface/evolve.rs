@@ -28,7 +28,7 @@ pub struct Evolve;
 
 impl Stage for Evolve {
     const NAME: &'static str = "refine.evolve";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Evolves a surface towards inter-image consistency as the paper does: rigid (eq. 3) or by the weighted median (eq. 5-7).";
     type Params = EvolveParams;
     type Input = EvolveInput;

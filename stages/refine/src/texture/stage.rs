@@ -7,7 +7,7 @@ use crate::texture::atlas::{Sheet, charts, packed};
 use crate::texture::labels::{NOWHERE, labels};
 use nalgebra::{Point2, SVector, Vector3};
 use rayon::prelude::*;
-use shape::{Adjacency, Camera, Mesh, PhotoId, Photos, Rgb, Textured};
+use shape::{Adjacency, Camera, LOOKED_AT_MPX, Mesh, PhotoId, Photos, Rgb, Textured};
 use stage::{Ctx, Stage, Stop};
 
 stage::params! {
@@ -43,7 +43,7 @@ const SMALL: PhotoSize = PhotoSize {
 
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
     type Params = TextureParams;
     type Input = TextureInput;
@@ -63,18 +63,17 @@ impl Stage for Texture {
             colors: vec![],
             ..Mesh::clone(&input.mesh)
         };
-        let views: Vec<(PhotoId, Camera)> = input
-            .cameras
-            .views
-            .iter()
-            .filter(|(id, _)| input.photos.get(*id).is_some())
+        let photos = input.photos.within(LOOKED_AT_MPX);
+        let cameras = input.cameras.of_photos(&photos);
+        let seen = cameras.views.iter();
+        let views: Vec<(PhotoId, Camera)> = seen
+            .filter(|(id, _)| photos.get(*id).is_some())
             .map(|(id, view)| (id, view.camera))
             .collect();
         let small = input.pictures(&SMALL, || ctx.check().map_err(Stop::from))?;
         let labels = labels(&mesh, &small, p.rounds as usize);
         let charts = charts(&mesh, &labels);
-        let VertexColours { own, mean } =
-            vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
+        let VertexColours { own, mean } = vertex_colours(&mesh, &labels, &photos, &views, &small)?;
         let sheet = |c| Sheet::new(&mesh, c, &views);
         let sheets: Vec<Sheet<'_>> = charts.iter().map(sheet).collect();
         let both = charts.iter().zip(&sheets);
@@ -87,7 +86,7 @@ impl Stage for Texture {
         let mut corners = vec![[[0.0f32; 2]; 3]; mesh.faces.len()];
         let steps = ctx.steps("photos", views.len() + 1);
         let ids = views.iter().map(|(id, _)| Some(*id)).chain([None]);
-        let mut decoded = Ahead::new(&input.photos, ids.collect());
+        let mut decoded = Ahead::new(&photos, ids.collect());
         for k in 0..=views.len() {
             let photo = decoded.photo(k)?;
             let label = if photo.is_some() { k as u16 } else { NOWHERE };

@@ -2,10 +2,10 @@
 
 use crate::turn;
 
-use nalgebra::Vector3;
-use refine::pictures::prepare::RefineError;
+use nalgebra::{Point3, Vector3};
+use refine::pictures::prepare::{RefineError, pictures};
 use refine::{OptimizeSurface, OptimizeSurfaceInput};
-use shape::{Mesh, PhotoId};
+use shape::{Camera, Intrinsics, LOOKED_AT_MPX, Mesh, Photo, PhotoId, Photos, Rgb, Scale, View};
 use stage::{Ctx, Stage, Stop};
 use turn::{RADIUS, ball, off, turn};
 
@@ -30,6 +30,60 @@ fn refused(result: Result<Mesh, Stop>) -> String {
         Err(Stop::Failed(error)) => error.downcast::<RefineError>().unwrap().to_string(),
         Err(_) => panic!("it was stopped"),
         Ok(_) => panic!("it went through"),
+    }
+}
+
+/// Two photos of a pattern, of more pixels than photos are looked at with.
+fn large() -> Photos {
+    let (width, height) = (2600, 2000);
+    let level = |i: usize| ((i % width) / 9 * 5 + (i / width) / 7 * 3) as u8;
+    let data = (0..width * height).map(|i| [level(i), 90, 200]).collect();
+    let pixels = Rgb {
+        width,
+        height,
+        data,
+    };
+    let file = shape::rgb_to_png(&pixels);
+    let photo = |name: &str| Photo::of(name, [width as u32, height as u32], file.clone());
+    Photos {
+        photos: vec![photo("0.png"), photo("1.png")],
+        ..Photos::default()
+    }
+}
+
+#[test]
+fn a_photo_of_many_pixels_is_seen_as_the_same_photo_with_fewer() {
+    let large = large();
+    let lens = Intrinsics {
+        width: 2600,
+        height: 2000,
+        focal: [3000.0; 2],
+        centre: [1310.0, 980.0],
+        radial: [0.01, 0.0],
+    };
+    let camera = Camera::looking(lens, Point3::new(0.0, -900.0, 200.0), Point3::origin());
+    let views = [0, 1].map(|i| (PhotoId(i), View::of(format!("{i}.png"), camera)));
+    let cameras = shape::Cameras::of(views, Scale::Nothing);
+    let fewer = |photo: &Photo| {
+        let pixels = photo.within(LOOKED_AT_MPX).decode().unwrap();
+        let size = [pixels.width as u32, pixels.height as u32];
+        Photo::of(&photo.name, size, shape::rgb_to_png(&pixels))
+    };
+    let small = Photos {
+        photos: large.photos.iter().map(fewer).collect(),
+        ..Photos::default()
+    };
+    assert_eq!(small.photos[0].width, 2280);
+    let seen = |photos: &Photos, cameras| {
+        pictures(photos, cameras, None, 1, LOOKED_AT_MPX, || {
+            Ok::<(), Stop>(())
+        })
+    };
+    let of_large = seen(&large, &cameras).unwrap_or_else(|_| panic!("large"));
+    let of_small = seen(&small, &cameras.of_photos(&small)).unwrap_or_else(|_| panic!("small"));
+    for (large, small) in of_large.iter().zip(&of_small) {
+        assert_eq!(large.whole, small.whole);
+        assert!(large.gray == small.gray && large.projection == small.projection);
     }
 }
 

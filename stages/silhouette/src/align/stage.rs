@@ -5,13 +5,19 @@ use crate::align::rectangle::Rectangle;
 use crate::align::reduced::factor;
 use crate::raster::only;
 use rayon::prelude::*;
-use shape::{Aligned, Alignment, ByPhoto, Cameras, Photo, PhotoId, Photos, Placed, Rgb};
+use shape::{
+    Aligned, Alignment, ByPhoto, Cameras, LOOKED_AT_MPX, Photo, PhotoId, Photos, Placed, Rgb,
+};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
 stage::params! {
     /// At which size photos are compared, and where the body is.
     pub struct AlignParams {
+        /// Photos are looked at with so many million pixels at most; masks come back at the photos' own size.
+        #[range(0.01..=100.0)]
+        #[source(structural)]
+        most_mpx: f64 = LOOKED_AT_MPX,
         /// Longest side at which photos are compared and first cut; the border is cut again at full size.
         #[range(100..=4000)]
         #[source(structural)]
@@ -38,18 +44,18 @@ pub struct Align;
 
 impl Stage for Align {
     const NAME: &'static str = "silhouette.align";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Aligns photos with the plate, or with each other, and finds what brings them to one exposure.";
     type Params = AlignParams;
     type Input = AlignInput;
     type Output = Aligned;
 
     fn run(p: &AlignParams, input: AlignInput, ctx: &Ctx<'_>) -> Result<Aligned, Stop> {
-        let photos = &input.photos;
-        for (_, photo) in photos.iter() {
+        for (_, photo) in input.photos.iter() {
             Rectangle::read(&p.box_px, photo.width, photo.height)?;
         }
-        let cameras = input.cameras.as_deref().cloned();
+        let photos = &input.photos.within(p.most_mpx);
+        let cameras = input.cameras.as_deref().map(|c| c.of_photos(photos));
         let coarse_px = p.coarse_px as usize;
         let views = match (&photos.plate, &cameras) {
             (Some(plate), _) => placed_on(plate, photos, coarse_px, ctx)?,
@@ -58,11 +64,21 @@ impl Stage for Align {
         };
         Ok(Aligned {
             views,
+            most_mpx: p.most_mpx,
             cameras,
             coarse_px: p.coarse_px,
-            box_px: p.box_px.clone(),
+            box_px: on_smaller(&p.box_px, &input.photos, photos),
         })
     }
+}
+
+/// What the user drew on the photos, on the same photos looked at smaller. \[px\]
+fn on_smaller(box_px: &[f64], photos: &Photos, smaller: &Photos) -> Vec<f64> {
+    let sizes = photos.photos.first().zip(smaller.photos.first());
+    let scale = sizes.map_or(1.0, |(large, small)| {
+        f64::from(small.width) / f64::from(large.width)
+    });
+    box_px.iter().map(|px| px * scale).collect()
 }
 
 /// How photos are aligned with the plate.
@@ -83,6 +99,7 @@ fn placed_on(
             let small = photo.decode()?.reduced(by);
             Ok(Aligned {
                 views: only(on_plate(&small, &still, by)),
+                most_mpx: 0.0,
                 cameras: None,
                 coarse_px: 0,
                 box_px: vec![],

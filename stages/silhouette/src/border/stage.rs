@@ -53,14 +53,17 @@ pub struct Border;
 
 impl Stage for Border {
     const NAME: &'static str = "silhouette.border";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and gives how much of each border pixel is body.";
     type Params = BorderParams;
     type Input = BorderInput;
     type Output = Masks;
 
     fn run(p: &BorderParams, input: BorderInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
-        let behind = Behind::of(&input.scene, &input.aligned, input.people.as_deref());
+        let photos = &input.aligned.photos(&input.photos);
+        let people = input.people.as_deref();
+        let people = people.map(|people| people.of_photos(&input.photos, photos));
+        let behind = Behind::of(&input.scene, &input.aligned, people.as_ref());
         let all = Turn {
             settings: Settings::of_border(p.gamma),
             agreement: agreement(&input),
@@ -71,7 +74,7 @@ impl Stage for Border {
         let labels = input.labels.views.as_slice();
         let steps = ctx.steps("photos", labels.len());
         let one = |(id, label): &(PhotoId, Label)| {
-            let both = input.photos.get(*id).zip(input.evidence.views.get(*id));
+            let both = photos.get(*id).zip(input.evidence.views.get(*id));
             let Some((photo, evidence)) = both else {
                 return Ok(None);
             };
@@ -83,8 +86,10 @@ impl Stage for Border {
             };
             let masks: Masks = ctx.part("mask", &depends, mask)?;
             steps.tick()?;
-            let mask = masks.views.get(PhotoId(0)).cloned();
+            let mask = masks.views.get(PhotoId(0));
             let mask = mask.ok_or_else(|| CutError::Empty(photo.name.clone()))?;
+            let whole = input.photos.get(*id).unwrap_or(photo);
+            let mask = mask.resized(whole.width as usize, whole.height as usize);
             Ok(Some((*id, mask)))
         };
         let views = labels

@@ -59,7 +59,7 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: what most of them share, and the body's outlines on which they agree.";
     type Params = EmptySceneParams;
     type Input = EmptySceneInput;
@@ -70,7 +70,8 @@ impl Stage for EmptyScene {
         if let Some(known) = input.known.as_ref().filter(|known| !known.is_unknown()) {
             return Ok(Scene::clone(known));
         }
-        let (photos, aligned) = (&*input.photos, &*input.aligned);
+        let aligned = &*input.aligned;
+        let photos = &aligned.photos(&input.photos);
         let boxed = !aligned.box_px.is_empty();
         let Some(cameras) = &aligned.cameras else {
             return match boxed {
@@ -95,6 +96,8 @@ impl Stage for EmptyScene {
             return Ok(Scene::unknown());
         }
         let people = input.people.as_deref();
+        let people = people.map(|people| people.of_photos(&input.photos, photos));
+        let people = people.as_ref();
         let (scene, doubted) = found(p, photos, aligned, cameras, (&shots, &still, people), ctx)?;
         ctx.metric("stands still", percent, "%");
         warnings(&doubted, photos)

@@ -190,6 +190,7 @@ mod tests {
         };
         let aligned = Aligned {
             views: [].into_iter().collect(),
+            most_mpx: 6.0,
             cameras: Some(cameras),
             coarse_px: 800,
             box_px: vec![],

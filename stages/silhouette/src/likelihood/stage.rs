@@ -44,7 +44,7 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 14;
+    const VERSION: u32 = 15;
     const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of disk, floor and walls, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
@@ -52,11 +52,15 @@ impl Stage for Likelihood {
 
     fn run(p: &LikelihoodParams, input: LikelihoodInput, ctx: &Ctx<'_>) -> Result<Evidence, Stop> {
         let (aligned, scene) = (&*input.aligned, &*input.scene);
-        let behind = Behind::of(scene, aligned, input.people.as_deref());
+        let photos = &aligned.photos(&input.photos);
+        let people = input.people.as_deref();
+        let people = people.map(|people| people.of_photos(&input.photos, photos));
+        let people = people.as_ref();
+        let behind = Behind::of(scene, aligned, people);
         let all: Vec<(PhotoId, &Photo)> = match scene.is_unknown() {
-            true => input.photos.iter().collect(),
+            true => photos.iter().collect(),
             false => {
-                let known = |id| Some((id, input.photos.get(id)?));
+                let known = |id| Some((id, photos.get(id)?));
                 let can = |(id, _): &(PhotoId, &Photo)| {
                     aligned.camera(*id).is_some() || scene.bodies.is_empty()
                 };
@@ -87,7 +91,7 @@ impl Stage for Likelihood {
                 }
             };
             let size = [evidence.photo.width, evidence.photo.height];
-            let people = input.people.as_deref().filter(|_| !scene.is_unknown());
+            let people = people.filter(|_| !scene.is_unknown());
             let evidence = PhotoEvidence {
                 person: sense(people, *id, size, evidence.factor as usize),
                 ..evidence

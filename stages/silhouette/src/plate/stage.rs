@@ -23,14 +23,15 @@ pub struct Plate;
 
 impl Stage for Plate {
     const NAME: &'static str = "silhouette.plate";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Takes the plate as the empty scene: what its levels are on each photo, and how the disk on it is turned. Without a plate all is unknown.";
     type Params = ();
     type Input = PlateInput;
     type Output = Scene;
 
     fn run(_: &(), input: PlateInput, ctx: &Ctx<'_>) -> Result<Scene, Stop> {
-        let (photos, aligned) = (&*input.photos, &*input.aligned);
+        let aligned = &*input.aligned;
+        let photos = &aligned.photos(&input.photos);
         let Some(plate) = &photos.plate else {
             return Ok(Scene::unknown());
         };

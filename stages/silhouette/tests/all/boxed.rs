@@ -35,6 +35,12 @@ fn photo(dice: &mut Dice) -> (Rgb, Image<bool>) {
 
 /// What the stage makes of one photo without plate and cameras.
 fn masked(photo: &Rgb, box_px: Vec<f64>) -> Result<Mask, String> {
+    let most_mpx = GrabCutParams::default().most_mpx;
+    masked_within(most_mpx, photo, box_px)
+}
+
+/// The same where it is looked at with so many million pixels at most.
+fn masked_within(most_mpx: f64, photo: &Rgb, box_px: Vec<f64>) -> Result<Mask, String> {
     let photo = Photo::of(
         "0000.png",
         [photo.width as u32, photo.height as u32],
@@ -50,6 +56,7 @@ fn masked(photo: &Rgb, box_px: Vec<f64>) -> Result<Mask, String> {
         people: None,
     };
     let params = GrabCutParams {
+        most_mpx,
         box_px,
         ..Default::default()
     };
@@ -64,11 +71,25 @@ fn masked(photo: &Rgb, box_px: Vec<f64>) -> Result<Mask, String> {
 fn a_rectangle_alone_is_enough_where_colours_differ() {
     let (photo, truth) = photo(&mut Dice(1));
     let mask = masked(&photo, vec![40.0, 45.0, 165.0, 295.0]).unwrap();
+    assert!(overlap(&mask, &truth) > 0.97, "{}", overlap(&mask, &truth));
+    // The ball is of the body's colour, but beyond the rectangle.
+    assert_eq!(mask.at(215, 40), 0);
+}
+
+/// Intersection over union.
+fn overlap(mask: &Mask, truth: &Image<bool>) -> f64 {
     let pairs = || mask.data.iter().map(|m| *m > 127).zip(&truth.data);
     let both = pairs().filter(|(a, b)| *a && **b).count() as f64;
-    let either = pairs().filter(|(a, b)| *a || **b).count() as f64;
-    assert!(both / either > 0.97, "{}", both / either);
-    // The ball is of the body's colour, but beyond the rectangle.
+    both / pairs().filter(|(a, b)| *a || **b).count() as f64
+}
+
+#[test]
+fn a_photo_that_is_looked_at_smaller_has_a_mask_of_its_own_size() {
+    let (photo, truth) = photo(&mut Dice(1));
+    // Of 240 × 320 pixels, 158 × 210.
+    let mask = masked_within(0.0333, &photo, vec![40.0, 45.0, 165.0, 295.0]).unwrap();
+    assert_eq!((mask.width, mask.height), (240, 320));
+    assert!(overlap(&mask, &truth) > 0.97, "{}", overlap(&mask, &truth));
     assert_eq!(mask.at(215, 40), 0);
 }
 
