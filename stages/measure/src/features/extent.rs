@@ -1,8 +1,9 @@
-//! How wide and how deep a section is.
+//! How wide and how deep a section is, and a level one around the trunk.
 
 use crate::features::body::Body;
-use crate::geometry::slices::Ring;
-use nalgebra::Vector3;
+use crate::geometry::slices::{Ring, level};
+use nalgebra::{Point3, Vector3};
+use shape::Plane;
 
 /// Least and greatest of a ring along a direction.
 pub(crate) fn extent(ring: &Ring, along: &Vector3<f64>) -> Option<(f64, f64)> {
@@ -25,4 +26,13 @@ pub(crate) fn depth(body: &Body, ring: &Ring) -> Option<(f64, f64)> {
     own.map(|p| p.coords.dot(&body.front)).fold(None, |e, x| {
         Some(e.map_or((x, x), |(lo, hi): (f64, f64)| (lo.min(x), hi.max(x))))
     })
+}
+
+/// A level plane around the middle of the trunk.
+pub(crate) fn across(body: &Body, z: f64) -> Plane {
+    let middle = body.trunk(z).map_or(Point3::origin(), |r| r.centre);
+    Plane {
+        point_mm: [middle.x, middle.y, z],
+        ..level(z)
+    }
 }

@@ -7,6 +7,7 @@ use crate::geometry::halves::{half, webbed};
 use crate::geometry::slices::Slice;
 use crate::model::crotch::{Hidden, crotch};
 use crate::planes::limbs::{Across, EXTREME, LEAST_UPRIGHT, Placed, holds_other, sure};
+use crate::sections::across_leg::without_hand;
 use nalgebra::{Point3, Vector3};
 use shape::{BodyFeatures, Mesh, Plane, PlaneSigma, Refusal, Side};
 
@@ -71,11 +72,17 @@ fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
         };
         // Upward, as long as the ring is one leg's: what takes in the other one jumps.
         let lower = ways.iter().rposition(|way| s - way > 3.5 * coarse);
-        if lower.is_some_and(|i| ring.tape > JUMP_FACTOR * found[i].1) {
+        let jumps = |tape: f64| lower.is_some_and(|i| tape > JUMP_FACTOR * found[i].1);
+        let hand = jumps(ring.tape) && holds_other(limbs, body, side, &ring) == Some(false);
+        let free = hand
+            .then(|| without_hand(body, &ring, side)?.ok())
+            .flatten();
+        let tape = free.map_or(ring.tape, |free| free.tape_mm);
+        if jumps(tape) {
             if step < 0.1 * coarse {
-                match holds_other(limbs, body, side, &ring) {
-                    Some(false) => return Err(Refusal::Hand),
-                    _ => break,
+                match hand {
+                    true => return Err(Refusal::Hand),
+                    false => break,
                 }
             }
             step /= 2.0;
@@ -83,7 +90,7 @@ fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
             continue;
         }
         skin.push(webbed(&ring, &inward));
-        found.push((plane, ring.tape));
+        found.push((plane, tape));
         ways.push(s);
         s += step;
     }
@@ -93,14 +100,8 @@ fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
     }
     // Beside a web a tape would go around it: below it only.
     let web = begins(&skin).filter(|_| upright);
-    let web = web.map(|i| {
-        web_at(
-            &across,
-            &inward,
-            [ways[i.saturating_sub(1)], ways[i]],
-            coarse,
-        )
-    });
+    let ends = |i: usize| [ways[i.saturating_sub(1)], ways[i]];
+    let web = web.map(|i| web_at(&across, &inward, ends(i), coarse));
     let web = web.unwrap_or(f64::MAX);
     let height = |p: &Plane| -down.dot(&Vector3::from(p.point_mm));
     let last = height(&found.last().ok_or(Refusal::NoSection)?.0) - BELOW_JOIN * body.stature;

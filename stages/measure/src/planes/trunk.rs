@@ -1,25 +1,15 @@
 //! Where the trunk's girths are taken: hip from the surface, the other levels from the model.
 
 use crate::features::body::Body;
+use crate::features::extent::across;
 use crate::features::marks::{Marks, hip};
 use crate::features::readings::{Reading, Readings, readings};
 use crate::features::whole::no_stature;
 use crate::geometry::peak::farthest;
-use crate::geometry::slices::level;
 use crate::model::file::LevelModel;
 use crate::model::level::Level;
 use crate::model::predict::{Cover, LevelEstimate, SIZES};
-use nalgebra::Point3;
 use shape::{HipAt, Plane, PlaneSigma, Refusal};
-
-/// A level plane around the middle of the trunk.
-pub(crate) fn across(body: &Body, z: f64) -> Plane {
-    let middle = body.trunk(z).map_or(Point3::origin(), |r| r.centre);
-    Plane {
-        point_mm: [middle.x, middle.y, z],
-        ..level(z)
-    }
-}
 
 /// A plane and how sure its place is.
 #[derive(Debug, Clone, Copy, PartialEq)]

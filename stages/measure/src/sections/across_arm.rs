@@ -56,7 +56,7 @@ pub(super) fn completed(free: FreedArm, origin: Point3<f64>, plane: &Plane) -> S
         contour_mm,
         tape_mm: tape(&outline),
         spline: Spline::Knots(even),
-        carried: free.share,
+        bridged: free.share,
         sigma_mm: free.sigma_mm,
     }
 }

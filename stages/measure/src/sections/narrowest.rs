@@ -2,8 +2,8 @@
 
 use crate::features::arms::arm_ring;
 use crate::features::body::Body;
+use crate::features::extent::across;
 use crate::geometry::slices::Slice;
-use crate::planes::trunk::across;
 use crate::sections::taken::taken;
 use rayon::prelude::*;
 use shape::{GirthId, Landmark, Mesh, Part};

@@ -18,7 +18,7 @@ pub struct SectionMeasurement {
     /// What the paper's spline runs through.
     pub spline: Spline,
     /// Share of the way around that another limb hides: bridged.
-    pub carried: f64,
+    pub bridged: f64,
     /// Standard deviation of what the hidden part adds. \[mm\]
     pub sigma_mm: f64,
 }
@@ -60,7 +60,7 @@ pub(crate) fn plain(plane: &Plane, ring: Ring) -> Result<SectionMeasurement, Why
         tape_mm: tape(&points),
         spline: Spline::Mesh,
         contour: ring.curve,
-        carried: 0.0,
+        bridged: 0.0,
         sigma_mm: 0.0,
     })
 }

@@ -1,15 +1,12 @@
 //! Where in a section an arm begins that is one with the trunk: where the trunk's outline stops turning round toward its side, or
 //! turns back beyond the arm, or opposite of where it does so.
 
-use super::fold::{STRAIGHT_RAD, fold};
+use super::fold::{STRAIGHT_RAD, TURNED_RAD, fold};
 use crate::geometry::section::length;
 use std::f64::consts::TAU;
 
 /// Samples to either side of one that tell the way of the outline there (structural: samples).
 const REACH: usize = 5;
-/// The trunk has turned at least so far before an arm begins. By hand: looked at three scans, at 0.7 and 1.4 of it:
-/// tapes move by at most 0.9 and 0.34 %, intervals change by at most 153 and 7 %. \[rad\]
-const TURNED_RAD: f64 = 25.0 * TAU / 360.0;
 
 /// Where on an outline an arm begins: an index, the place, the outline's way there, and how long and by how much what begins there does
 /// not turn round as a trunk does. \[mm\]

@@ -2,7 +2,9 @@
 
 use super::bridge::{bridge, walked};
 use super::seams::{Seam, beyond_fold, opposite, seams, vouched};
-use crate::geometry::section::{area, length};
+use crate::geometry::section::{area, length, tape};
+use crate::sections::one::{SectionMeasurement, Spline};
+use nalgebra::{Point3, Vector3};
 use std::ops::Range;
 
 /// A trunk freed of the arms in its section.
@@ -14,6 +16,25 @@ pub struct Parted {
     pub share: f64,
     /// Standard deviation of its tape by what is hidden. \[mm\]
     pub sigma_mm: f64,
+}
+
+impl Parted {
+    /// What it gives as a section about a place, along these axes.
+    pub(super) fn section(
+        self,
+        middle: Point3<f64>,
+        (u, v): (&Vector3<f64>, &Vector3<f64>),
+    ) -> SectionMeasurement {
+        let place = |p: &[f64; 2]| middle + u * p[0] + v * p[1];
+        SectionMeasurement {
+            contour: self.points.iter().map(place).collect(),
+            contour_mm: length(&self.points),
+            tape_mm: tape(&self.points),
+            spline: Spline::Knots(self.points.iter().step_by(8).copied().collect()),
+            bridged: self.share,
+            sigma_mm: self.sigma_mm,
+        }
+    }
 }
 
 /// Points that an outline is resampled to (structural: samples).
@@ -121,7 +142,6 @@ pub fn parted(
 mod tests {
     use super::*;
     use crate::geometry::rays::{RAYS, ray, reaches};
-    use crate::geometry::section::tape;
     use std::f64::consts::TAU;
 
     /// A superellipse, a trunk of 360 by 240 mm, with disks of radius 55 beside it; the folds

@@ -4,14 +4,13 @@ use crate::features::arms::{Axis, arm_ring, merged, upper_arm_axis};
 use crate::features::body::Body;
 use crate::features::extent::extent;
 use crate::features::marks::hip;
-use crate::geometry::section::{length, tape};
 use crate::geometry::slices::{Ring, Slice, nearest_ring, rings};
 use crate::sections::across_arm::across_arm;
 use crate::sections::across_arm_of_hull::across_arm_of_hull;
 use crate::sections::across_leg::across_leg;
 use crate::sections::hands::{holds, holds_hand, out_of_reach};
 use crate::sections::lobe::lobe;
-use crate::sections::one::{FUSED, HAND, NO_ARMS, NOTHING, SectionMeasurement, Spline, Why, plain};
+use crate::sections::one::{FUSED, HAND, NO_ARMS, NOTHING, SectionMeasurement, Why, plain};
 use crate::sections::split::parted;
 use nalgebra::Point3;
 use shape::{Landmark, Mesh, Part, Region};
@@ -153,8 +152,11 @@ fn raised(body: &Body, z: f64, side: f64) -> bool {
 fn middle(body: &Body, z: f64) -> Option<Point3<f64>> {
     let clear = |s: &Slice, side| arm_ring(body, &s.rings, side).is_some();
     let even = |s: &&Slice| !s.rings.is_empty() && clear(s, 1.0) == clear(s, -1.0);
+    let over = body.slices.partition_point(|s| s.z <= z);
+    let (below, above) = body.slices.split_at(over);
     let off = |s: &&Slice| (s.z - z).abs();
-    let nearest = body.slices.iter().filter(even);
+    let nearest = [below.iter().rev().find(even), above.iter().find(even)];
+    let nearest = nearest.into_iter().flatten();
     let nearest = nearest.min_by(|a, b| off(a).total_cmp(&off(b)));
     nearest.map(|s| s.rings[0].centre)
 }
@@ -189,18 +191,5 @@ fn cut_off(body: &Body, sides: &[f64], ring: &Ring) -> Option<SectionMeasurement
     };
     let all: Vec<(f64, Range<usize>)> = sides.iter().map(arm).collect();
     let free = parted(&outlines, own, &all)?;
-    let knots: Vec<[f64; 2]> = free.points.iter().step_by(8).copied().collect();
-    let contour_mm = length(&free.points);
-    Some(SectionMeasurement {
-        contour: free
-            .points
-            .iter()
-            .map(|p| Point3::new(middle.x, middle.y, z) + u * p[0] + v * p[1])
-            .collect(),
-        contour_mm,
-        tape_mm: tape(&free.points),
-        spline: Spline::Knots(knots),
-        carried: free.share,
-        sigma_mm: free.sigma_mm,
-    })
+    Some(free.section(Point3::new(middle.x, middle.y, z), (u, v)))
 }

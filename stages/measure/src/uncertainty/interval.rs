@@ -114,7 +114,10 @@ impl Beside<'_> {
         match (self.landmark.part, self.landmark.id) {
             (Part::Trunk, _) => self.outer(mm),
             // Deviations of limbs and neck were fitted with a step of one.
-            (_, GirthId::Thigh(_)) => self.pair([self.shifted(mm), self.shifted(mm)]),
+            (_, GirthId::Thigh(_)) => {
+                let slope = |mm: f64| self.pair([self.shifted(mm), self.shifted(mm)]);
+                slope(mm).or_else(|| slope(-mm))
+            }
             _ => self.pair([self.shifted(-mm), self.shifted(mm)]),
         }
     }

@@ -63,7 +63,7 @@ pub(crate) fn by_silhouettes(
 /// Whether a section is a level one of the trunk alone, of which nothing is hidden.
 fn is_whole(landmark: &Landmark, taken: &SectionMeasurement) -> bool {
     let level = landmark.part == Part::Trunk && landmark.plane.normal[2].abs() > 0.999;
-    level && taken.carried == 0.0
+    level && taken.bridged == 0.0
 }
 
 /// Arms and hands beside a section at a height: the other rings of the slice. Legs joined in this

@@ -137,8 +137,8 @@ impl Sure<'_> {
             interval_mm,
             sigmas,
             repeat_mm: again.map(|mm| NINE_IN_TEN * mm),
-            split: (here.carried > 0.0).then_some(Split {
-                share: here.carried,
+            split: (here.bridged > 0.0).then_some(Split {
+                share: here.bridged,
             }),
             notes: notes(landmark, &here, spline_mm, (seen, worn)),
             contour: here
