@@ -9,6 +9,7 @@ girths the rig's own level is above theirs. SCANS has PLY files of people (mm, s
 set by eye with a half width: the true tape is the program's own girth there, arms parted as it parts them, and at both ends of what the eye
 leaves open. Of a drawn neck the tape is taken twice: in the rig's plane, which may
 run through shoulders or chin, and through the same larynx as a tape comes to rest that is free to tilt: where it is shortest (`NC_rest`).
+So are those of upper arms (`AC_rest`, both): the rig's line of joints is not the arm's own. An arm that is one with the trunk there has none.
 Wants numpy, scipy and trimesh.
 """
 
@@ -28,6 +29,7 @@ from scipy.spatial import ConvexHull
 PLANES = {"HC": "hip", "WC_navel": "navel", "CC": "chest", "NC": "neck", "AC_L": "upper_arm_l", "AC_R": "upper_arm_r"}
 PLANES |= {"TC_L": "thigh_l", "TC_R": "thigh_r", "CFC_L": "calf_l", "CFC_R": "calf_r"}
 BY_EYE = ["WC", "CC"]
+FUSED = 0.1
 LEVEL = ["HC", "WC_navel", "CC"]
 SURVEY = pathlib.Path(__file__).parent.parent.parent / "models" / "tables" / "ansur2.csv"
 KNOWN = ["buttockheight", "cervicaleheight", "neckcircumference", "buttockcircumference", "waistcircumference", "chestcircumference"]
@@ -63,11 +65,17 @@ def drawn(tailor, truth_file):
             r["people"] = above_people(truth, *LEVELS[r["girth"]])
         if r["girth"] in LEVEL and "tape" in r:
             r["level"] = round(given[r["girth"]]["plane"]["point_mm"][2] - truth["planes"][PLANES[r["girth"]]]["point"][2], 1)
+    mesh = trimesh.load(truth_file.with_suffix(".ply"), process=False)
     if "NC" in given:
-        mesh, larynx = trimesh.load(truth_file.with_suffix(".ply"), process=False), truth["marks"]["larynx"]
+        larynx = truth["marks"]["larynx"]
         leans = np.radians(np.arange(-20, 61, 4))
         tape = min(around(mesh, larynx, [0, -np.sin(a), np.cos(a)], given["NC"]["plane"]["point_mm"]) for a in leans)
         rows.append(row("NC", given, missing, tape) | {"girth": "NC_rest"})
+    for name in sorted({"AC_L", "AC_R"} & set(given)):
+        plane = truth["planes"][PLANES[name]]
+        tape = resting(mesh, np.array(plane["point"]), np.array(plane["normal"]))
+        if abs(tape / plane["tape_clean"] - 1) < FUSED:
+            rows.append(row(name, given, missing, tape) | {"girth": "AC_rest"})
     return {"body": truth["number"], "touching": truth["pose"]["arm_l"] < 15, "remeshed": "voxel" in truth["finish"], "rows": rows}
 
 
@@ -104,6 +112,15 @@ def around(mesh, point, normal, near):
     flat = trimesh.transform_points(ring, trimesh.geometry.plane_transform(point, normal))[:, :2]
     hull = flat[ConvexHull(flat).vertices]
     return round(float(np.linalg.norm(hull - np.roll(hull, 1, axis=0), axis=1).sum()), 1)
+
+
+def resting(mesh, place, normal):
+    """The shortest tape through a place that is free to tilt either way, by up to 20 degrees off a normal. [mm]"""
+    aside = np.cross(normal, [0.0, 1.0, 0.0])
+    for axis in (aside, np.cross(normal, aside)):
+        turns = [trimesh.transformations.rotation_matrix(np.radians(d), axis)[:3, :3] for d in range(-20, 21, 4)]
+        normal = min((turn @ normal for turn in turns), key=lambda n: around(mesh, place, n, place))
+    return around(mesh, place, normal, place)
 
 
 def scanned(tailor, surface, levels):

@@ -116,11 +116,12 @@ def fullest(surface, marks, stature):
     out = {}
     for side, part in (("l", LEG_L), ("r", LEG_R)):
         crotch, knee = marks["crotch"][2], marks[f"joint_knee_{side}"]
+        hip, up = marks[f"joint_hip_{side}"], np.array([0.0, 0.0, 1.0])
+        # The ring about the bone, whosever its faces: the rig counts low buttocks, and some skin of the groin, as trunk.
+        ring = lambda z: (hip + (hip[2] - z) / (hip[2] - knee[2]) * (knee - hip), up, (TRUNK, part))
         levels = crotch - np.linspace(0.012, 0.06, 9) * stature
-        best = max((surface.level(z, (part,)) or 0.0, z) for z in levels)
-        hip = marks[f"joint_hip_{side}"]
-        t = (hip[2] - best[1]) / (hip[2] - knee[2])
-        out[f"thigh_{side}"] = (hip + t * (knee - hip), np.array([0.0, 0.0, 1.0]), (part,), None)
+        best = max((surface.tape(*ring(z), ring(z)[0]) or 0.0, z) for z in levels)[1]
+        out[f"thigh_{side}"] = (*ring(best), ring(best)[0])
         shank = marks[f"joint_ankle_{side}"] - knee
         at = np.linspace(0.12, 0.6, 25)
         girths = np.array([surface.tape(knee + t * shank, shank, (part,), knee + t * shank) or 0.0 for t in at])

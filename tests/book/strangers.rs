@@ -91,7 +91,12 @@ fn intervals_on_bodies_that_nothing_was_fitted_to() {
             "bodies",
             &["NC_rest"],
         ),
-        ("upper arm", "bodies", &["AC_L", "AC_R"]),
+        ("upper arm (the rig's plane)", "bodies", &["AC_L", "AC_R"]),
+        (
+            "upper arm (as a tape comes to rest at the rig's place)",
+            "bodies",
+            &["AC_rest"],
+        ),
         ("thigh", "bodies", &["TC_L", "TC_R"]),
         ("calf", "bodies", &["CFC_L", "CFC_R"]),
         ("waist, scans", "scans", &["WC"]),
