@@ -56,10 +56,12 @@ def figures(tailor, work, capture, name, values):
         done = subprocess.run([*run, *sets, "--cache", work / "cache", "--out", out], stdin=subprocess.DEVNULL, capture_output=True, text=True)
         if done.returncode:
             return {"failed": done.stderr.strip().splitlines()[-1]}
-        score = [tailor, "score", out, "--truth", capture / "truth", "--json"]
+        score = [tailor, "score", out, "--truth", capture / "truth", "--json", "--cache", work / "cache"]
         (out / "score.json").write_bytes(subprocess.check_output(score, stdin=subprocess.DEVNULL))
     of = json.loads((out / "score.json").read_text())[0]
-    errors = [girth["tape_pct"] for girth in of["girths_at_measured_planes"].values()]
+    errors = [girth["tape_pct"] for girth in (of["girths_at_measured_planes"] or {}).values() if girth]
+    if not errors:
+        return {"failed": "no girth is given"}
     mesh, cameras = of["mesh"], of["cameras"]
     rms = (sum(e * e for e in errors) / len(errors)) ** 0.5
     mean = sum(errors) / len(errors)
