@@ -72,9 +72,11 @@ pub(super) fn identity(objects: &dyn Objects, read_only: bool) -> Result<Identit
         ));
     }
     let own = text(fresh());
-    objects.create(NAME, own.as_bytes())?;
-    let found = whole(objects, NAME, 4096)?;
-    read(&found.ok_or_else(|| unreliable("what was written a moment ago is not there"))?)
+    let created = objects.create(NAME, own.as_bytes())?;
+    match whole(objects, NAME, 4096)? {
+        Some(found) => read(&found),
+        None => Err(nothing_there(&[created])),
+    }
 }
 
 /// Gives the store another identity: what caches know of it no longer counts.
@@ -109,6 +111,15 @@ fn unreliable(what: &str) -> Trouble {
     ))
 }
 
+/// Nothing is there after it was created: lost, if an answer was that it is new; else all met a conflict, which passes
+/// and is asked again.
+fn nothing_there(created: &[Created]) -> Trouble {
+    match created.contains(&Created::New) {
+        true => unreliable("what was written a moment ago is not there"),
+        false => Trouble::Down("it reports a conflict about an object that is not there".into()),
+    }
+}
+
 /// Whether of two that create one object one wins, and whether the place gives back what it was given.
 /// What was written for it is removed.
 ///
@@ -135,7 +146,7 @@ pub(super) fn probe(objects: &dyn Objects) -> Result<Honest, Trouble> {
     let [first, second] = came;
     let (first, second, found) = (first?, second?, found?);
     let Some(found) = found else {
-        return Err(unreliable("what was written a moment ago is not there"));
+        return Err(nothing_there(&[first, second]));
     };
     if !texts.contains(&found) {
         return Err(unreliable("it gives other bytes than it was given"));
@@ -144,5 +155,17 @@ pub(super) fn probe(objects: &dyn Objects) -> Result<Honest, Trouble> {
     match [first, second] {
         [Created::New, Created::New] => Ok(Honest::Overwrites),
         _ => Ok(Honest::Creates),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_was_new_is_lost_and_a_conflict_is_asked_again() {
+        use Created::{New, There};
+        assert!(matches!(nothing_there(&[There, There]), Trouble::Down(_)));
+        assert!(matches!(nothing_there(&[There, New]), Trouble::Refused(_)));
     }
 }
