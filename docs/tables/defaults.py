@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Halves and doubles each default that was set by hand, and writes what surfaces, girths and cameras do.
 
-    docs/tables/numbers.py TAILOR WORK STAGE,... CAPTURE... > docs/tables/numbers.json
+    docs/tables/defaults.py TAILOR WORK STAGE,... CAPTURE... > docs/tables/defaults.json
 
 A CAPTURE has its photos and `truth/`. A number is changed at all nodes of its stage in `pipelines/body.toml` at once, each from its own
 value; whole numbers are rounded, and a value beyond the param's range is left out. `nothing` changes numbers by a hundred-thousandth
