@@ -159,6 +159,7 @@ pub fn program() -> &'static Program {
 /// Does what the arguments ask for. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
 /// 130 cancelled.
 pub fn main() -> ExitCode {
+    stage::machine::give_large_memory_back();
     command::main(&TAILOR)
 }
 

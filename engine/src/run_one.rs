@@ -170,6 +170,9 @@ pub(crate) fn run_one(
     let _share = around.pool.memory.take(needs, &|| around.cancelled());
     around.watch.started(&bound.name);
     let (done, artifact) = make(bound, key, provenance, artifacts, around);
+    if needs > 0 {
+        stage::machine::give_freed_memory_back();
+    }
     if let Status::Failed(why) = &done.status {
         around.failures.note(key, why);
     }

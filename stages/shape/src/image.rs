@@ -99,8 +99,13 @@ impl Gray {
         }
         small
     }
+}
 
-    /// The brightness between pixels, bilinear; outside, that of the nearest border pixel.
+impl<T: Copy> Image<T>
+where
+    f32: From<T>,
+{
+    /// The value between pixels, bilinear; outside, that of the nearest border pixel.
     #[inline]
     pub fn sample(&self, x: f32, y: f32) -> f32 {
         let x = x.clamp(0.0, (self.width - 1) as f32);
@@ -108,8 +113,9 @@ impl Gray {
         let (x0, y0) = (x as usize, y as usize);
         let (x1, y1) = ((x0 + 1).min(self.width - 1), (y0 + 1).min(self.height - 1));
         let (fx, fy) = (x - x0 as f32, y - y0 as f32);
-        let top = self.at(x0, y0) + fx * (self.at(x1, y0) - self.at(x0, y0));
-        let bottom = self.at(x0, y1) + fx * (self.at(x1, y1) - self.at(x0, y1));
+        let at = |x: usize, y: usize| f32::from(self.at(x, y));
+        let top = at(x0, y0) + fx * (at(x1, y0) - at(x0, y0));
+        let bottom = at(x0, y1) + fx * (at(x1, y1) - at(x0, y1));
         top + fy * (bottom - top)
     }
 }

@@ -55,7 +55,6 @@ mod ply;
 mod refusal;
 mod register;
 mod registered;
-pub mod registers;
 mod resize;
 mod rig;
 mod ring;

@@ -24,6 +24,7 @@ mod field;
 mod files;
 mod input;
 mod kinds;
+pub mod machine;
 mod message;
 mod message_file;
 mod metrics;

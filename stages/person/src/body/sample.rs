@@ -1,8 +1,8 @@
 //! A square of a photo in few pixels.
 
 use nalgebra::Point2;
-use shape::registers::widest;
 use shape::{Crop, Found, Rgb};
+use stage::machine::widest;
 
 /// Around whoever is painted over so many of the network's pixels go, too: derived from how right its outline is ([`Found::pixel_px`]).
 const BESIDE: f32 = 2.0;

@@ -4,7 +4,7 @@ use super::convolve::Convolution;
 use super::depthwise::Depthwise;
 use super::pixelwise::{add, doubled, max_pool, to_space};
 use super::tensor::Tensor;
-use shape::registers::widest;
+use stage::machine::widest;
 
 /// What is done to an image.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,7 @@
 use crate::evidence::look::{Look, dot};
 use crate::evidence::patch::{Frame, MOST_VIEWS, Pairing, VisibleView, Window};
 use crate::pictures::picture::Picture;
-use shape::registers::widest;
+use stage::machine::widest;
 
 /// How well the pictures agree at a vertex (paper, eq. 1), and how that changes outward.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

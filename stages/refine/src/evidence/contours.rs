@@ -30,9 +30,9 @@ pub struct Pull {
 pub fn pulls(scene: &Scene<'_>, most_px: f64) -> Vec<Pull> {
     let (mesh, normals) = (scene.mesh, &scene.normals);
     let one = |(i, (picture, map)): (usize, (&Picture, &DepthMap))| -> Vec<Pull> {
-        let Some(inside) = &picture.inside else {
+        if picture.inside.is_none() {
             return vec![];
-        };
+        }
         let toward = |v: usize| picture.centre - mesh.point(v as u32);
         let faces: Vec<bool> = (0..mesh.positions.len())
             .map(|v| normals[v].dot(&toward(v)) >= 0.0)
@@ -53,7 +53,7 @@ pub fn pulls(scene: &Scene<'_>, most_px: f64) -> Vec<Pull> {
                 // The chord runs beneath the surface: by an eighth of edge times turn of the normal.
                 let sag = t * (1.0 - t) * 0.5 * (normals[j] - normals[v]).dot(&edge);
                 let x = a + edge * t + n * sag;
-                let Some(pull) = pull(picture, inside, map, &x, &n, most_px) else {
+                let Some(pull) = pull(picture, map, &x, &n, most_px) else {
                     continue;
                 };
                 for (vertex, share) in [(v, 1.0 - t), (j, t)] {
@@ -76,7 +76,6 @@ pub fn pulls(scene: &Scene<'_>, most_px: f64) -> Vec<Pull> {
 /// Weight, gap and slope at one point of the contour. [`None`] where it is not the outermost.
 fn pull(
     picture: &Picture,
-    inside: &shape::Gray,
     map: &DepthMap,
     x: &Point3<f64>,
     normal: &Vector3<f64>,
@@ -100,9 +99,9 @@ fn pull(
     {
         return None;
     }
-    let read = |p: [f64; 2]| f64::from(inside.sample(p[0] as f32, p[1] as f32));
-    let gap_px = read(at);
-    let steep = (read(beside(1.0)) - read(beside(-1.0))) / 2.0;
+    let read = |p: [f64; 2]| picture.inside_px(p).map(f64::from);
+    let gap_px = read(at)?;
+    let steep = (read(beside(1.0))? - read(beside(-1.0))?) / 2.0;
     // On the skeleton of the silhouette the distance has no direction.
     if steep > -0.3 {
         return None;

@@ -4,6 +4,7 @@
 //! order on every machine, so that wider registers change the time and not the bytes.
 
 use crate::evidence::patch::{Frame, LANES, MOST_POINTS, Window};
+use crate::pictures::fixed::STEP;
 use crate::pictures::picture::Picture;
 use nalgebra::Vector3;
 
@@ -81,7 +82,7 @@ impl<const N: usize> Look<N> {
         // The pixel moves by (t.xy − p t.z) / depth as the patch moves along t.
         let moves = toward.map(|t| along(&t, 1.0));
         for k in (0..count).step_by(LANES) {
-            let mut corners = [[0.0f32; LANES]; 4];
+            let mut corners = [[0i16; LANES]; 4];
             for l in 0..LANES {
                 let (x, y) = (ax + px[k + l], ay + py[k + l]);
                 let i = y as i32 as usize * wide + x as i32 as usize;
@@ -93,7 +94,7 @@ impl<const N: usize> Look<N> {
                 let (px, py) = (px[k + l], py[k + l]);
                 let (x, y) = (ax + px, ay + py);
                 let (fx, fy) = (x - (x as i32) as f32, y - (y as i32) as f32);
-                let [tl, tr, bl, br] = [0, 1, 2, 3].map(|c| corners[c][l]);
+                let [tl, tr, bl, br] = [0, 1, 2, 3].map(|c| f32::from(corners[c][l]) * STEP);
                 let (across_top, across_bottom) = (tr - tl, br - bl);
                 let (upper, lower) = (tl + fx * across_top, bl + fx * across_bottom);
                 self.z[k + l] = upper + fy * (lower - upper);

@@ -45,15 +45,15 @@ pub fn outside(
 /// Whether a point shows more than `slack_px` outside of a picture's silhouette, and more than two standard deviations of
 /// its border. What the picture does not hold may be anything.
 fn beyond(picture: &Picture, x: &Point3<f64>, slack_px: f64) -> bool {
-    let Some(inside) = &picture.inside else {
-        return false;
-    };
     let Some((at, _)) = picture.project(x) else {
         return false;
     };
     if !picture.holds(at, 2.0) {
         return false;
     }
-    let out = -f64::from(inside.sample(at[0] as f32, at[1] as f32));
+    let Some(inside) = picture.inside_px(at) else {
+        return false;
+    };
+    let out = -f64::from(inside);
     out > slack_px && out > 2.0 * picture.border_sigma(at)
 }

@@ -6,7 +6,7 @@ use crate::evidence::scene::{Scene, VisibilityRules};
 use crate::geometry::curvature::{shape_operators, tangents};
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use shape::registers::widest;
+use stage::machine::widest;
 use std::ops::Range;
 
 /// What is known of a vertex from an earlier look: the spacing of its patch \[mm\], the pictures that see
@@ -20,12 +20,10 @@ pub struct Known<'a, T> {
     pub result: T,
 }
 
-/// The frames of all vertices and the pictures that see them.
+/// The frames of all vertices and the pictures that see them, run by run: joined they would be there twice for a while.
 pub struct Visibility {
-    /// One a vertex.
-    pub frames: Vec<Frame>,
-    starts: Vec<u32>,
-    visible: Vec<VisibleView>,
+    runs: Vec<Run>,
+    count: usize,
 }
 
 impl Visibility {
@@ -50,6 +48,7 @@ impl Visibility {
         // A run of vertices at a time: a list for each would take more memory than what is in it.
         let run = |looks: &mut Box<[Look<N>; MOST_VIEWS]>, vertices: Range<usize>| {
             let mut run = Run::new(vertices.len());
+            let mut results = Vec::with_capacity(vertices.len());
             for v in vertices {
                 let normal = scene.normals[v];
                 let mut frame = Frame {
@@ -61,7 +60,8 @@ impl Visibility {
                 };
                 if let Some(known) = known(v) {
                     frame.spacing = known.spacing;
-                    run.push(frame, known.visible, known.result);
+                    run.push(frame, known.visible);
+                    results.push(known.result);
                     continue;
                 }
                 widest(
@@ -69,45 +69,54 @@ impl Visibility {
                     || {
                         let visible = visible(&mut frame, scene, &along, &mut looks[..]);
                         let result = then(&frame, &visible, &looks[..visible.len()]);
-                        run.push(frame, &visible, result);
+                        run.push(frame, &visible);
+                        results.push(result);
                     },
                 );
             }
-            run
+            run.visible.shrink_to_fit();
+            (run, results)
         };
-        let runs: Vec<Run<T>> = (0..count.div_ceil(RUN))
+        let all: Vec<(Run, Vec<T>)> = (0..count.div_ceil(RUN))
             .into_par_iter()
             .map_init(space, |looks, k| {
                 run(looks, k * RUN..count.min((k + 1) * RUN))
             })
             .collect();
-        let mut all = Visibility {
-            frames: Vec::with_capacity(count),
-            starts: Vec::with_capacity(count + 1),
-            visible: Vec::with_capacity(runs.iter().map(|run| run.visible.len()).sum()),
-        };
-        all.starts.push(0);
-        let mut each = Vec::with_capacity(count);
-        for run in runs {
-            let before = all.visible.len() as u32;
-            all.frames.extend(run.frames);
-            all.visible.extend(run.visible);
-            all.starts.extend(run.ends.iter().map(|end| before + end));
-            each.extend(run.result);
-        }
-        (all, each)
+        let (runs, results): (Vec<_>, Vec<_>) = all.into_iter().unzip();
+        let each = results.into_iter().flatten().collect();
+        (Visibility { runs, count }, each)
+    }
+
+    /// How many vertices there are.
+    #[allow(clippy::len_without_is_empty)]
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// The frame of a vertex.
+    #[inline]
+    pub fn frame(&self, v: usize) -> &Frame {
+        &self.runs[v / RUN].frames[v % RUN]
+    }
+
+    /// The frame of a vertex, to be moved.
+    pub fn frame_mut(&mut self, v: usize) -> &mut Frame {
+        &mut self.runs[v / RUN].frames[v % RUN]
     }
 
     /// The pictures that see a vertex, in their order.
     #[inline]
     pub fn of(&self, v: usize) -> &[VisibleView] {
-        &self.visible[self.starts[v] as usize..self.starts[v + 1] as usize]
+        let (run, k) = (&self.runs[v / RUN], v % RUN);
+        let start = if k == 0 { 0 } else { run.ends[k - 1] };
+        &run.visible[start as usize..run.ends[k] as usize]
     }
 
     /// Share of the vertices that at least two pictures see.
     pub fn share(&self) -> f64 {
-        let paired = self.starts.windows(2).filter(|w| w[1] - w[0] >= 2).count();
-        paired as f64 / self.frames.len().max(1) as f64
+        let paired = (0..self.count).filter(|v| self.of(*v).len() >= 2).count();
+        paired as f64 / self.count.max(1) as f64
     }
 }
 
@@ -115,29 +124,26 @@ impl Visibility {
 const RUN: usize = 512;
 
 /// What was seen of a run of vertices.
-struct Run<T> {
+struct Run {
     frames: Vec<Frame>,
     visible: Vec<VisibleView>,
     /// Where each vertex' part of `visible` ends.
     ends: Vec<u32>,
-    result: Vec<T>,
 }
 
-impl<T> Run<T> {
+impl Run {
     fn new(count: usize) -> Self {
         Run {
             frames: Vec::with_capacity(count),
             visible: Vec::new(),
             ends: Vec::with_capacity(count),
-            result: Vec::with_capacity(count),
         }
     }
 
-    fn push(&mut self, frame: Frame, visible: &[VisibleView], result: T) {
+    fn push(&mut self, frame: Frame, visible: &[VisibleView]) {
         self.frames.push(frame);
         self.visible.extend_from_slice(visible);
         self.ends.push(self.visible.len() as u32);
-        self.result.push(result);
     }
 }
 
@@ -209,10 +215,8 @@ fn facing(frame: &Frame, scene: &Scene<'_>) -> Vec<Facing> {
         }
         let footprint = picture.footprint(depth);
         // The patch may reach over the contour a little: what is there is another surface.
-        let inside = picture.inside.as_ref();
-        if inside.is_some_and(|m| {
-            m.sample(at[0] as f32, at[1] as f32) < (0.6 * radius * cosine + 0.5) as f32
-        }) {
+        let least = (0.6 * radius * cosine + 0.5) as f32;
+        if picture.inside_px(at).is_some_and(|d| d < least) {
             continue;
         }
         let bias = footprint * map.step * (1.0 + 2.0 * (1.0 - cosine * cosine).sqrt() / cosine);

@@ -48,7 +48,7 @@ pub struct CompensateMotion;
 
 impl Stage for CompensateMotion {
     const NAME: &'static str = "refine.compensate_motion";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
     type Params = CompensateMotionParams;
     type Input = CompensateMotionInput;

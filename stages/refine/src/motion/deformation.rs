@@ -45,7 +45,7 @@ pub struct EstimateDeformation;
 
 impl Stage for EstimateDeformation {
     const NAME: &'static str = "refine.estimate_deformation";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Finds how arms, head and chest moved against the rest of the body: a smooth field of offsets a photo.";
     type Params = EstimateDeformationParams;
     type Input = EstimateDeformationInput;

@@ -21,7 +21,8 @@ impl Border {
     pub(crate) fn of(outline: &Outline, lens: &Intrinsics, whole: [usize; 2]) -> Border {
         let [width, height] = outline.size;
         let from = lens.resized(width as u32, height as u32);
-        let hidden = straightened(&outline.hidden_near(), &from, &pinhole(lens, outline.size));
+        let (hidden, to) = (outline.hidden_near(), pinhole(lens, outline.size));
+        let hidden = straightened(&hidden, &from, &to, |hidden| hidden);
         Border {
             hidden: Arc::new(hidden),
             whole,

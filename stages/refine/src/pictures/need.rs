@@ -8,7 +8,7 @@ use crate::pictures::prepare::{halvings, looked_at, posed};
 use shape::{Cameras, Intrinsics, Masks, Mesh, Outline, Photos};
 
 /// Of a pixel of a picture: brightness, and the distance to the silhouette (structural: what the buffers hold). \[bytes\]
-const PICTURE_PIXEL: f64 = 8.0;
+const PICTURE_PIXEL: f64 = 4.0;
 
 /// Of a pixel of a photo on its way to a picture: colours, brightness, distances, each before and
 /// after a step. One photo a thread (structural: what the buffers hold). \[bytes\]

@@ -2,6 +2,7 @@
 
 use crate::pictures::border::Border;
 use crate::pictures::crop::Crop;
+use crate::pictures::fixed::{Fixed, fixed, sample, to_steps, whole};
 use crate::pictures::halving::halved;
 use crate::pictures::pinhole::{halved_size, pinhole, straightened};
 use crate::pictures::resample::resampled;
@@ -12,10 +13,10 @@ use std::sync::Arc;
 /// What a photo shows at one level of the pyramid, wherever it was taken from: of one with a silhouette only the part that
 /// shows the body.
 pub struct Shown {
-    gray: Arc<Gray>,
+    gray: Arc<Fixed>,
     whole: [usize; 2],
     corner: [usize; 2],
-    inside: Option<Arc<Gray>>,
+    inside: Option<Arc<Fixed>>,
     border: Option<Border>,
     noise: f32,
 }
@@ -24,7 +25,7 @@ pub struct Shown {
 /// only the part that shows the body.
 pub struct Picture {
     /// Brightness, 0..=255, as a lens without distortion would show it.
-    pub gray: Arc<Gray>,
+    pub gray: Arc<Fixed>,
     /// Width and height of the whole photo at this level. \[px\]
     pub whole: [usize; 2],
     /// Where this picture begins on it: column and row of its first pixel. \[px\]
@@ -36,7 +37,7 @@ pub struct Picture {
     /// Focal length. \[px of this level\]
     pub focal: f64,
     /// Signed distance to the silhouette's border, positive inside. \[px of this level\]
-    pub inside: Option<Arc<Gray>>,
+    pub inside: Option<Arc<Fixed>>,
     /// How sure that border is.
     pub border: Option<Border>,
     /// Standard deviation of the noise, estimated from the photo itself. \[grey levels\]
@@ -71,11 +72,12 @@ impl Shown {
         let inside = mask.map(|mask| {
             let far = signed_distance(&part.of(mask));
             let scale = whole[0] as f32 / lens.width as f32;
-            straightened(&far, &photo, &shown).map(|d| d * scale)
+            straightened(&far, &photo, &shown, |d| to_steps(d * scale))
         });
-        if lens.radial != [0.0; 2] || mask.is_some() {
-            gray = straightened(&gray, &read, &shown);
-        }
+        let gray = match lens.radial != [0.0; 2] || mask.is_some() {
+            true => straightened(&gray, &read, &shown, to_steps),
+            false => fixed(&gray),
+        };
         Shown {
             gray: Arc::new(gray),
             whole,
@@ -125,7 +127,7 @@ impl Picture {
         let whole = halved_size(&camera.lens, halvings);
         let lens = pinhole(&camera.lens, whole);
         Picture {
-            gray: Arc::new(Gray {
+            gray: Arc::new(Fixed {
                 width: whole[0],
                 height: whole[1],
                 data: vec![],
@@ -149,10 +151,11 @@ impl Picture {
         let of_photo = |k: usize, i: usize| ((k + self.corner[i]) as f64 + 0.5) / scale - 0.5;
         let columns: Vec<f64> = (0..width).map(|x| of_photo(x, 0)).collect();
         let rows = warp.rows_at(&columns);
-        let drawn = |image: &Arc<Gray>| -> Arc<Gray> {
+        let drawn = |image: &Arc<Fixed>| -> Arc<Fixed> {
             let drawn = resampled(
                 image,
                 (width, height),
+                whole,
                 #[inline(always)]
                 |y, to_x, to_y| {
                     rows.offsets(of_photo(y, 1), |x, offset| {
@@ -207,6 +210,13 @@ impl Picture {
     pub fn holds(&self, at: [f64; 2], margin: f64) -> bool {
         let (w, h) = (self.gray.width as f64, self.gray.height as f64);
         at[0] >= margin && at[1] >= margin && at[0] < w - 1.0 - margin && at[1] < h - 1.0 - margin
+    }
+
+    /// Signed distance of a pixel to the silhouette's border, positive inside. [`None`] without a silhouette. \[px\]
+    #[inline]
+    pub fn inside_px(&self, at: [f64; 2]) -> Option<f32> {
+        let inside = self.inside.as_ref()?;
+        Some(sample(inside, at[0] as f32, at[1] as f32))
     }
 
     /// Standard deviation of the silhouette's border near a pixel; 0 where it is not known. \[px\]

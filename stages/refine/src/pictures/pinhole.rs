@@ -2,7 +2,7 @@
 
 use crate::pictures::resample::resampled;
 use nalgebra::Vector2;
-use shape::{Gray, Intrinsics};
+use shape::{Gray, Image, Intrinsics};
 
 /// Width and height after so many halvings. \[px\]
 pub(crate) fn halved_size(lens: &Intrinsics, halvings: u32) -> [usize; 2] {
@@ -18,12 +18,18 @@ pub(crate) fn pinhole(lens: &Intrinsics, [width, height]: [usize; 2]) -> Intrins
     }
 }
 
-/// An image as a lens `to` without distortion shows it; `from` is the image's own lens.
-pub(super) fn straightened(image: &Gray, from: &Intrinsics, to: &Intrinsics) -> Gray {
+/// An image as a lens `to` without distortion shows it, each pixel by `write`; `from` is the image's own lens.
+pub(super) fn straightened<U: Copy>(
+    image: &Gray,
+    from: &Intrinsics,
+    to: &Intrinsics,
+    write: impl Fn(f32) -> U,
+) -> Image<U> {
     let size = (to.width as usize, to.height as usize);
     resampled(
         image,
         size,
+        write,
         #[inline(always)]
         |y, columns, rows| {
             let down = (y as f64 - to.centre[1]) / to.focal[1];

@@ -1,19 +1,23 @@
 //! An image drawn anew, each of its pixels read elsewhere in another.
 
-use shape::Gray;
-use shape::registers::widest;
+use shape::Image;
+use stage::machine::widest;
 
 /// Pixels that are read side by side (structural: speed alone).
 const LANES: usize = 8;
 
-/// Draws an image of this size: `place` gives for a row where its pixels are read in `image`, columns and rows.
-/// \[px\] Each is read as [`Gray::sample`] does, byte for byte.
-pub fn resampled(
-    image: &Gray,
+/// Draws an image of this size: `place` gives for a row where its pixels are read in `image`, columns and rows \[px\],
+/// and `write` makes of what is read there what is kept. Each is read as [`Image::sample`] does, byte for byte.
+pub fn resampled<T: Copy, U: Copy>(
+    image: &Image<T>,
     (width, height): (usize, usize),
+    write: impl Fn(f32) -> U,
     place: impl Fn(usize, &mut [f32], &mut [f32]),
-) -> Gray {
-    let mut out = Gray::filled(width, height, 0.0);
+) -> Image<U>
+where
+    f32: From<T>,
+{
+    let mut out = Image::filled(width, height, write(0.0));
     let (mut columns, mut rows) = (vec![0.0f32; width], vec![0.0f32; width]);
     for y in 0..height {
         let to = &mut out.data[y * width..(y + 1) * width];
@@ -21,7 +25,7 @@ pub fn resampled(
             #[inline(always)]
             || {
                 place(y, &mut columns, &mut rows);
-                read(image, &columns, &rows, to);
+                read(image, &columns, &rows, &write, to);
             },
         );
     }
@@ -30,7 +34,15 @@ pub fn resampled(
 
 /// Reads an image at places.
 #[inline(always)]
-fn read(image: &Gray, columns: &[f32], rows: &[f32], to: &mut [f32]) {
+fn read<T: Copy, U>(
+    image: &Image<T>,
+    columns: &[f32],
+    rows: &[f32],
+    write: impl Fn(f32) -> U,
+    to: &mut [U],
+) where
+    f32: From<T>,
+{
     let (wide, tall) = (image.width as i32, image.height as i32);
     let most = [wide, tall].map(|n| (n - 1) as f32);
     let whole = to.len() / LANES * LANES;
@@ -52,17 +64,18 @@ fn read(image: &Gray, columns: &[f32], rows: &[f32], to: &mut [f32]) {
         for l in 0..LANES {
             let [a, b] = [at[l], at[l] + down[l]].map(|i| i as usize);
             let beside = right[l] as usize;
-            (corners[0][l], corners[1][l]) = (image.data[a], image.data[a + beside]);
-            (corners[2][l], corners[3][l]) = (image.data[b], image.data[b + beside]);
+            let read = |i: usize| f32::from(image.data[i]);
+            (corners[0][l], corners[1][l]) = (read(a), read(a + beside));
+            (corners[2][l], corners[3][l]) = (read(b), read(b + beside));
         }
         for l in 0..LANES {
             let [tl, tr, bl, br] = [corners[0][l], corners[1][l], corners[2][l], corners[3][l]];
             let (top, bottom) = (tl + fx[l] * (tr - tl), bl + fx[l] * (br - bl));
-            to[k + l] = top + fy[l] * (bottom - top);
+            to[k + l] = write(top + fy[l] * (bottom - top));
         }
     }
     for k in whole..to.len() {
-        to[k] = image.sample(columns[k], rows[k]);
+        to[k] = write(image.sample(columns[k], rows[k]));
     }
 }
 
@@ -75,7 +88,7 @@ mod tests {
         let mut dice = proof::Dice(4);
         let (width, height) = (37, 23);
         let data = (0..width * height).map(|_| dice.within(0.0, 255.0) as f32);
-        let image = Gray {
+        let image = shape::Gray {
             width,
             height,
             data: data.collect(),
@@ -91,11 +104,16 @@ mod tests {
                 ],
             })
             .collect();
-        let out = resampled(&image, (31, 19), |y, columns, rows| {
-            for x in 0..31 {
-                [columns[x], rows[x]] = places[y * 31 + x];
-            }
-        });
+        let out = resampled(
+            &image,
+            (31, 19),
+            |v| v,
+            |y, columns, rows| {
+                for x in 0..31 {
+                    [columns[x], rows[x]] = places[y * 31 + x];
+                }
+            },
+        );
         for (pixel, [x, y]) in out.data.iter().zip(places) {
             assert_eq!(*pixel, image.sample(x, y), "at {x}, {y}");
         }

@@ -60,7 +60,7 @@ impl Forces<'_> {
             if let Some(known) = known(v) {
                 return known;
             }
-            let (visible, frame) = (self.visible.of(v), &self.visible.frames[v]);
+            let (visible, frame) = (self.visible.of(v), self.visible.frame(v));
             if visible.len() < 2 {
                 return Agreement::default();
             }
@@ -124,11 +124,9 @@ impl Forces<'_> {
         let bounds: f64 = drawn
             .map(|(v, gap)| self.area(v) * self.hull_weight * (gap + d[v]).powi(2) * inverse)
             .sum();
-        let frames = &self.visible.frames;
-        let moved: Vec<_> = (0..d.len())
-            .map(|v| x[v] + frames[v].normal * d[v])
-            .collect();
-        let normals: Vec<_> = frames.iter().map(|f| f.normal).collect();
+        let normal = |v: usize| self.visible.frame(v).normal;
+        let moved: Vec<_> = (0..d.len()).map(|v| x[v] + normal(v) * d[v]).collect();
+        let normals: Vec<_> = (0..d.len()).map(normal).collect();
         let curvature = self.rest.energy(self.laplacian, &moved, &normals);
         photo + 0.5 * (contours + bounds) + self.bending * curvature
     }

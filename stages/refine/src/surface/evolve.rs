@@ -28,7 +28,7 @@ pub struct Evolve;
 
 impl Stage for Evolve {
     const NAME: &'static str = "refine.evolve";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Evolves a surface towards inter-image consistency as the paper does: rigid (eq. 3) or by the weighted median (eq. 5-7).";
     type Params = EvolveParams;
     type Input = EvolveInput;
@@ -122,17 +122,17 @@ fn some_steps(
     let mut visible = Visibility::new(&Scene::new(mesh, &around, pictures, &window, &rules));
     let mut before = None;
     for step in 0..=count {
-        for (v, frame) in visible.frames.iter_mut().enumerate() {
-            frame.x = mesh.point(v as u32);
+        for v in 0..visible.len() {
+            visible.frame_mut(v).x = mesh.point(v as u32);
         }
-        let agreements: Vec<Agreement> = (0..visible.frames.len())
+        let agreements: Vec<Agreement> = (0..visible.len())
             .into_par_iter()
             .with_min_len(128)
             .map(|v| {
                 agreement::<1>(
                     pictures,
                     visible.of(v),
-                    &visible.frames[v],
+                    visible.frame(v),
                     0.0,
                     &window,
                     rules.pairing,

@@ -52,7 +52,7 @@ pub struct OptimizeSurface;
 
 impl Stage for OptimizeSurface {
     const NAME: &'static str = "refine.optimize_surface";
-    const VERSION: u32 = 15;
+    const VERSION: u32 = 16;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = OptimizeSurfaceParams;
     type Input = OptimizeSurfaceInput;

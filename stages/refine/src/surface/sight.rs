@@ -101,7 +101,7 @@ impl Looker<'_> {
         let (visible, agreements) = self.read(&scene, |v| {
             let ((visible, read, _), _) = (before.as_ref()?, still[v]?);
             Some(Known {
-                spacing: visible.frames[v].spacing,
+                spacing: visible.frame(v).spacing,
                 visible: visible.of(v),
                 result: read[v].1,
             })

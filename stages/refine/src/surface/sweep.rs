@@ -21,7 +21,7 @@ pub fn sweep(
     step_mm: f64,
     asked: impl Fn(usize) -> bool,
 ) -> Vec<Option<(f64, f64)>> {
-    let count = forces.visible.frames.len();
+    let count = forces.visible.len();
     let asked: Vec<bool> = (0..count).map(asked).collect();
     let first = wider(&asked, around);
     let near = wider(&first, around);
@@ -70,7 +70,7 @@ fn scores(
         .into_par_iter()
         .with_min_len(64)
         .flat_map_iter(|v| {
-            let (visible, frame) = (forces.visible.of(v), &forces.visible.frames[v]);
+            let (visible, frame) = (forces.visible.of(v), forces.visible.frame(v));
             let shown = read[v] && visible.len() >= 2;
             (0..steps).map(move |k| {
                 if !shown {

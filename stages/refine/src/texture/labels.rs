@@ -73,8 +73,7 @@ fn shows(picture: &Picture, map: &DepthMap, x: &Point3<f64>) -> bool {
     let Some((at, depth)) = picture.project(x) else {
         return false;
     };
-    let inside = picture.inside.as_ref();
-    let body = inside.is_none_or(|m| m.sample(at[0] as f32, at[1] as f32) > 2.0);
+    let body = picture.inside_px(at).is_none_or(|d| d > 2.0);
     body && picture.holds(at, 3.0) && map.shows(picture, x, 4.0 * picture.footprint(depth))
 }
 

@@ -43,7 +43,7 @@ const SMALL: PhotoSize = PhotoSize {
 
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
     type Params = TextureParams;
     type Input = TextureInput;
@@ -171,8 +171,7 @@ fn vertex_colours(
                 let x = mesh.point(v);
                 let cosine = (picture.centre - x).normalize().dot(&normals[v as usize]);
                 let (at, depth) = picture.project(&x)?;
-                let inside = picture.inside.as_ref();
-                let body = inside.is_none_or(|m| m.sample(at[0] as f32, at[1] as f32) > 3.0);
+                let body = picture.inside_px(at).is_none_or(|d| d > 3.0);
                 let shown =
                     body && cosine > 0.15 && map.shows(picture, &x, 4.0 * picture.footprint(depth));
                 let q = camera.project(&x).filter(|_| shown)?;

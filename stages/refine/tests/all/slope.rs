@@ -114,7 +114,7 @@ fn the_slope_of_consistency_is_its_derivative() {
         let fixed = fixed_at(level);
         let (mut off, mut far, mut count) = (0.0, 0, 0);
         for v in 0..fixed.x.len() {
-            let (visible, frame) = (fixed.visible.of(v), &fixed.visible.frames[v]);
+            let (visible, frame) = (fixed.visible.of(v), fixed.visible.frame(v));
             if visible.len() < 2 {
                 continue;
             }
@@ -197,7 +197,7 @@ fn a_score_goes_on_by_its_slope_and_stiffness() {
     let fixed = fixed_at(true);
     let (mut off, mut change) = (0.0, 0.0);
     for v in 0..fixed.x.len() {
-        let (visible, frame) = (fixed.visible.of(v), &fixed.visible.frames[v]);
+        let (visible, frame) = (fixed.visible.of(v), fixed.visible.frame(v));
         let (window, pairing) = (&fixed.window, fixed.rules.pairing);
         let read = |d: f64| agreement::<1>(&fixed.pictures, visible, frame, d, window, pairing);
         let (here, far) = (read(0.0), 0.1 * fixed.footprint);
@@ -278,7 +278,7 @@ fn consistency_is_the_same_in_registers_of_any_width() {
     let fixed = fixed_at(true);
     let (window, pairing) = (&fixed.window, fixed.rules.pairing);
     for v in 0..fixed.x.len() {
-        let (visible, frame) = (fixed.visible.of(v), &fixed.visible.frames[v]);
+        let (visible, frame) = (fixed.visible.of(v), fixed.visible.frame(v));
         for d in [0.0, 0.13] {
             let wide = agreement::<1>(&fixed.pictures, visible, frame, d, window, pairing);
             let plain =
