@@ -3,10 +3,6 @@
 use nalgebra::{Matrix2x3, Matrix3, Point2, Point3, Rotation3, UnitVector3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
-/// Least angle between rays that makes a point. By hand: looked at the walk of a test, at 0.035 and 0.07: equal masks.
-/// \[rad\]
-pub const LEAST_PARALLAX_RAD: f64 = 0.03;
-
 /// What the lens and the sensor do: `u = c + f (1 + k1 r² + k2 r⁴) (x/z, y/z)`, `r² = (x²+y²)/z²`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Intrinsics {

@@ -1,7 +1,7 @@
 //! Marker tags in the world: their corners, triangulated from cameras that were found without them.
 
-use crate::two_view::triangulate::triangulate;
 use nalgebra::{Point3, Vector3};
+use shape::triangulate;
 use shape::{Camera, Cameras, PhotoId, Tag, Tags};
 use std::collections::BTreeMap;
 

@@ -1,8 +1,8 @@
 //! A known length between two points that somebody pointed at in photos: the edge of a sheet on the floor, a rule, a door.
 
 use crate::frame::tag_scale::LEAST_SCALE_SIGMA;
-use crate::two_view::triangulate::triangulate;
 use nalgebra::{Matrix3, Point3};
+use shape::triangulate;
 use shape::{Camera, Cameras, Reference};
 use stage::{Message, message};
 

@@ -10,8 +10,9 @@ use crate::ring::error::TracksError;
 use crate::ring::pairs::{LEAST_FEATURES, chosen};
 use crate::ring::trial::{filled, spread_px};
 use crate::two_view::resection::{at_origin, resected, two_views};
-use crate::two_view::triangulate::{Seen, triangulate, triangulated};
+use crate::two_view::triangulate::{Seen, triangulated};
 use nalgebra::Point3;
+use shape::triangulate;
 use shape::{Camera, Intrinsics, PhotoId, Photos, Pose, Tracks};
 
 /// How many pairs are tried as a beginning (structural: the width of a search).

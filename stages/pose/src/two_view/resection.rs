@@ -3,8 +3,8 @@
 use crate::two_view::descent::descend;
 use crate::two_view::epipolar::motion_through;
 use crate::two_view::five_point::Both;
-use crate::two_view::triangulate::triangulate;
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
+use shape::triangulate;
 use shape::{Camera, Intrinsics, Pose};
 
 /// Least share of known points that a pose must explain. By hand: not on record.

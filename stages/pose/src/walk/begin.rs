@@ -1,11 +1,11 @@
 //! Two photos to begin with: much in common, seen from well apart.
 
 use crate::two_view::resection::{at_origin, two_views};
-use crate::two_view::triangulate::triangulate;
 use crate::walk::groups::Groups;
 use crate::walk::model::{Model, Seen, Shot};
 use nalgebra::Point2;
 use rayon::prelude::*;
+use shape::triangulate;
 use shape::{Intrinsics, PhotoId};
 
 /// Fewest points of a beginning. By hand: not on record.

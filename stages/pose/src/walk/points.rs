@@ -1,8 +1,8 @@
 //! Tracks as points of a model: those of their observations that agree.
 
-use crate::two_view::triangulate::triangulate;
 use crate::walk::model::{Model, Seen, Spot};
 use rayon::prelude::*;
+use shape::triangulate;
 use shape::{Camera, PhotoId};
 
 /// Most pairs of observations of which a point is tried (structural: the width of a search).

@@ -2,8 +2,8 @@
 
 use crate::cells::Block;
 use crate::scene::still_and_disk::Shot;
-use nalgebra::{Matrix3, Point3, Vector2, Vector3};
-use shape::{Camera, LEAST_PARALLAX_RAD, PhotoId, Tracks};
+use nalgebra::Point3;
+use shape::{Camera, PhotoId, Tracks, triangulate};
 use std::collections::BTreeMap;
 
 /// A point, and where shots show it: places in the list of shots, pixels of their reduced photos.
@@ -25,6 +25,7 @@ const FITS_PX: f64 = 1.5;
 pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<Spot> {
     let places: BTreeMap<PhotoId, usize> =
         shots.iter().enumerate().map(|(k, s)| (s.id, k)).collect();
+    let cameras: Vec<Camera> = shots.iter().map(|s| s.camera).collect();
     let one = |track: &Vec<shape::Observation>| {
         let sight = |s: &shape::Observation| {
             let k = *places.get(&s.photo)?;
@@ -41,7 +42,7 @@ pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<S
         if sights.len() < LEAST_SIGHTS {
             return None;
         }
-        let at = met(shots, &sights)?;
+        let (at, _) = triangulate(&cameras, &sights)?;
         let near = |(k, px): &(usize, [f64; 2])| {
             let on = shots[*k].camera.project(&at);
             on.is_some_and(|on| libm::hypot(on.x - px[0], on.y - px[1]) < FITS_PX)
@@ -49,35 +50,6 @@ pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<S
         sights.iter().all(near).then_some(Spot { at, sights })
     };
     tracks.points.iter().filter_map(one).collect()
-}
-
-/// Where rays meet: nearest to all of them, then two Gauss–Newton steps on the pixels.
-fn met(shots: &[Shot], sights: &[(usize, [f64; 2])]) -> Option<Point3<f64>> {
-    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    let mut rays = Vec::new();
-    for (k, px) in sights {
-        let camera: &Camera = &shots[*k].camera;
-        let ray = camera.ray((*px).into()).into_inner();
-        let across = Matrix3::identity() - ray * ray.transpose();
-        normal += across;
-        right += across * camera.centre().coords;
-        rays.push(ray);
-    }
-    let widest = rays.iter().map(|r| r.angle(&rays[0])).fold(0.0, f64::max);
-    if widest < LEAST_PARALLAX_RAD {
-        return None;
-    }
-    let mut at = Point3::from(normal.try_inverse()? * right);
-    for _ in 0..2 {
-        let (mut h, mut g) = (Matrix3::zeros(), Vector3::zeros());
-        for (k, px) in sights {
-            let (on, j) = shots[*k].camera.project_with_jacobian(&at)?;
-            h += j.transpose() * j;
-            g += j.transpose() * Vector2::new(on.x - px[0], on.y - px[1]);
-        }
-        at -= h.try_inverse()? * g;
-    }
-    Some(at)
 }
 
 /// How many rays from cameras to the points that they show run through the middle of each cell, the
