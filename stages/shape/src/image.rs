@@ -112,10 +112,8 @@ where
         let y = y.clamp(0.0, (self.height - 1) as f32);
         let (x0, y0) = (x as usize, y as usize);
         let (x1, y1) = ((x0 + 1).min(self.width - 1), (y0 + 1).min(self.height - 1));
-        let (fx, fy) = (x - x0 as f32, y - y0 as f32);
-        let at = |x: usize, y: usize| f32::from(self.at(x, y));
-        let top = at(x0, y0) + fx * (at(x1, y0) - at(x0, y0));
-        let bottom = at(x0, y1) + fx * (at(x1, y1) - at(x0, y1));
-        top + fy * (bottom - top)
+        let four = [(x0, y0), (x1, y0), (x0, y1), (x1, y1)];
+        let four = four.map(|(x, y)| f32::from(self.at(x, y)));
+        crate::bilinear(four, [x - x0 as f32, y - y0 as f32])
     }
 }

@@ -12,6 +12,7 @@
 //! ```
 
 mod aligned;
+mod bilinear;
 mod body_features;
 mod bones;
 mod by_photo;
@@ -78,6 +79,7 @@ mod upper_median;
 mod warps;
 
 pub use aligned::{Aligned, Alignment, Tones, toned};
+pub use bilinear::bilinear;
 pub use body_features::{BodyFeatures, HipAt};
 pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};

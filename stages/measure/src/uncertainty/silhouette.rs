@@ -3,7 +3,7 @@
 //! L = ∫ h(θ) dθ.
 
 use nalgebra::{DMatrix, DVector, Point2, Point3};
-use shape::{Camera, Mask};
+use shape::{Camera, Mask, bilinear};
 use std::f64::consts::TAU;
 
 /// A tangent of a level section: its outward normal's angle, and its distance from an origin.
@@ -31,9 +31,7 @@ fn cover(mask: &Mask, at: Point2<f64>) -> Option<f64> {
     }
     let (i, j, s, t) = (x as usize, y as usize, at.x - x, at.y - y);
     let v = |di, dj| f64::from(mask.at(i + di, j + dj));
-    let top = v(0, 0) + s * (v(1, 0) - v(0, 0));
-    let bottom = v(0, 1) + s * (v(1, 1) - v(0, 1));
-    Some(top + t * (bottom - top))
+    Some(bilinear([v(0, 0), v(1, 0), v(0, 1), v(1, 1)], [s, t]))
 }
 
 /// The two tangents that one photo gives of a level section, where its borders show and no other

@@ -1,7 +1,7 @@
 //! Corners of a tag to a part of a pixel: its four sides as lines through their steepest points.
 
 use nalgebra::{Matrix2, Vector2};
-use shape::{Gray, Image};
+use shape::{Gray, Image, bilinear};
 
 /// How far to both sides of an edge to look, as a share of the shorter side. By hand: not on record.
 const REACH_SHARE: f64 = 0.09;
@@ -134,12 +134,9 @@ impl Light {
     /// The light between pixels, bilinear; inside the part.
     fn at(&self, x: f64, y: f64) -> f64 {
         let (x0, y0) = (x.floor(), y.floor());
-        let (fx, fy) = (x - x0, y - y0);
         let [column, row] = [x0 as usize - self.corner[0], y0 as usize - self.corner[1]];
         let at = |dx: usize, dy: usize| self.part.at(column + dx, row + dy);
-        let top = at(0, 0) + fx * (at(1, 0) - at(0, 0));
-        let bottom = at(0, 1) + fx * (at(1, 1) - at(0, 1));
-        top + fy * (bottom - top)
+        bilinear([at(0, 0), at(1, 0), at(0, 1), at(1, 1)], [x - x0, y - y0])
     }
 }
 

@@ -266,9 +266,8 @@ fn sample(photo: &Rgb, x: f64, y: f64) -> Vector3<f64> {
     let x = x.clamp(0.0, photo.width as f64 - 1.001);
     let y = y.clamp(0.0, photo.height as f64 - 1.001);
     let (cx, cy) = (x as usize, y as usize);
-    let (fx, fy) = (x - cx as f64, y - cy as f64);
-    let at = |dx: usize, dy: usize| Vector3::from(photo.at(cx + dx, cy + dy).map(f64::from));
-    let top = at(0, 0) * (1.0 - fx) + at(1, 0) * fx;
-    let bottom = at(0, 1) * (1.0 - fx) + at(1, 1) * fx;
-    top * (1.0 - fy) + bottom * fy
+    let four = [(cx, cy), (cx + 1, cy), (cx, cy + 1), (cx + 1, cy + 1)];
+    let four = four.map(|(x, y)| photo.at(x, y));
+    let past = [x - cx as f64, y - cy as f64];
+    Vector3::from_fn(|c, _| shape::bilinear(four.map(|p| f64::from(p[c])), past))
 }

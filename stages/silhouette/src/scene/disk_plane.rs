@@ -74,9 +74,8 @@ pub(crate) fn sample(image: &Rgb, at: Point2<f64>) -> Option<[f32; 3]> {
     let mut color = [0.0; 3];
     for (c, out) in color.iter_mut().enumerate() {
         let at = |x: usize, y: usize| f32::from(image.at(x, y)[c]);
-        let top = at(x, y) + fx * (at(x + 1, y) - at(x, y));
-        let bottom = at(x, y + 1) + fx * (at(x + 1, y + 1) - at(x, y + 1));
-        *out = top + fy * (bottom - top);
+        let four = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
+        *out = shape::bilinear(four, [fx, fy]);
     }
     Some(color)
 }

@@ -108,11 +108,10 @@ impl FloorCut {
             ))
         };
         let (i, j) = (x.floor(), y.floor());
-        let (fx, fy) = (x - i, y - j);
+        let past = [x - i, y - j];
         let (i, j) = (i as i64, j as i64);
-        let low = value(i, j) * (1.0 - fx) + value(i + 1, j) * fx;
-        let high = value(i, j + 1) * (1.0 - fx) + value(i + 1, j + 1) * fx;
-        low * (1.0 - fy) + high * fy >= INSIDE_SHARE
+        let four = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)];
+        shape::bilinear(four.map(|(i, j)| value(i, j)), past) >= INSIDE_SHARE
     }
 }
 
