@@ -1,5 +1,6 @@
 //! All tests of `pose` in one program: each takes long to link.
 
+mod any_order;
 mod disagree;
 mod found;
 mod import;

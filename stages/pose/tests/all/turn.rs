@@ -14,7 +14,7 @@ fn truth(sign: f64) -> Vec<Camera> {
 }
 
 /// Cameras of photos at some places of a turn, in steps of 20°.
-fn at(sign: f64, places: &[i32]) -> Vec<Camera> {
+pub(crate) fn at(sign: f64, places: &[i32]) -> Vec<Camera> {
     let ring = Ring {
         turn: Rotation3::from_euler_angles(1.72, 0.01, -0.015),
         offset: Vector3::new(-8.0, 150.0, 2500.0),
@@ -32,7 +32,7 @@ fn at(sign: f64, places: &[i32]) -> Vec<Camera> {
 
 /// Features on a trunk that sways slowly by so many millimetres, seen to 0.3 px from the side they
 /// are on; one in twenty is somewhere else.
-fn tracks(cameras: &[Camera], sway_mm: f64) -> Tracks {
+pub(crate) fn tracks(cameras: &[Camera], sway_mm: f64) -> Tracks {
     scattered(cameras, sway_mm, 0.3)
 }
 
@@ -83,8 +83,28 @@ fn calibrated(cameras: &[Camera], tracks: Tracks, rig: Rig) -> Result<Cameras, S
     shown(cameras, tracks, rig, |_| vec![])
 }
 
+/// The same by other params.
+pub(crate) fn calibrated_by(
+    p: &CalibrateParams,
+    cameras: &[Camera],
+    tracks: Tracks,
+    rig: Rig,
+) -> Result<Cameras, String> {
+    shown_by(p, cameras, tracks, rig, |_| vec![])
+}
+
 /// The same, of photos with such files.
 fn shown(
+    cameras: &[Camera],
+    tracks: Tracks,
+    rig: Rig,
+    file: impl Fn(usize) -> Vec<u8>,
+) -> Result<Cameras, String> {
+    shown_by(&CalibrateParams::default(), cameras, tracks, rig, file)
+}
+
+fn shown_by(
+    p: &CalibrateParams,
     cameras: &[Camera],
     tracks: Tracks,
     rig: Rig,
@@ -107,14 +127,14 @@ fn shown(
         tags: None,
         tracks: Some(Arc::new(tracks)),
     };
-    Calibrate::run(&CalibrateParams::default(), input, &Ctx::alone()).map_err(|e| match e {
+    Calibrate::run(p, input, &Ctx::alone()).map_err(|e| match e {
         stage::Stop::Failed(why) => why.to_string(),
         stage::Stop::Cancelled => "cancelled".into(),
     })
 }
 
 /// Largest error of a camera's centre after scaling and turning about z, as a share of the radius.
-fn error(found: &Cameras, truth: &[Camera]) -> f64 {
+pub(crate) fn error(found: &Cameras, truth: &[Camera]) -> f64 {
     let ring = camera_circle(found).unwrap();
     let level = |c: Point3<f64>, z0: f64, r: f64| Point3::new(c.x / r, c.y / r, (c.z - z0) / r);
     let real = truth[0].centre();
@@ -139,7 +159,7 @@ fn error(found: &Cameras, truth: &[Camera]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn rig(focal_35mm: Option<f64>, step_deg: Option<f64>) -> Rig {
+pub(crate) fn rig(focal_35mm: Option<f64>, step_deg: Option<f64>) -> Rig {
     Rig {
         step: step_deg.map(f64::to_radians),
         focal_35mm,
