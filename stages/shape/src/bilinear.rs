@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Sub};
 
 /// Between the four neighbours of a place, bilinear: the upper left one, that right of it, the two below; how far right of
-/// and below the first it is, 0..=1. What is beyond a border is the caller's to say.
+/// and below the first it is, 0..=1. What is beyond a border is for the caller to choose.
 #[inline(always)]
 pub fn bilinear<T>([a, b, c, d]: [T; 4], [right, down]: [T; 2]) -> T
 where

@@ -77,3 +77,10 @@ stage::params! {
         most_tracks: u32 = 3000,
     }
 }
+
+impl CalibrateParams {
+    /// What is further away than this is not off by how features scatter. \[px\]
+    pub(crate) fn far_px(&self) -> f64 {
+        self.loss * self.feature_px
+    }
+}

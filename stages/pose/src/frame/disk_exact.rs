@@ -1,13 +1,14 @@
 //! A disk's edge to a part of a pixel: a circle that was found nearly, laid on the edges of profiles across it.
 
-use crate::frame::edge_profile::Profile;
+use crate::frame::edge_profile::{BANDS_PX, EDGES_PX, Profile};
 use nalgebra::{Matrix2, Point3, Vector2};
 use shape::{Camera, Gray};
 
-/// How far outwards profiles reach. By hand: not on record. \[px\]
-const OUTWARDS_PX: f64 = 5.0;
-/// How far inwards profiles reach. By hand: not on record. \[px\]
-const INWARDS_PX: f64 = 4.0;
+/// How far outwards profiles reach: over the widest band that is tried (structural: samples). \[px\]
+const OUTWARDS_PX: f64 = BANDS_PX[1];
+/// How far inwards profiles reach: as much before the innermost edge that is tried as that is off (structural: samples).
+/// \[px\]
+const INWARDS_PX: f64 = -2.0 * EDGES_PX[0];
 /// Step of a profile (structural: samples).
 const STEP: f64 = 0.25;
 /// Arcs around the edge, each of which has a profile (structural: samples).

@@ -7,9 +7,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 /// Places of the edge that are tried first; what is farther off is another edge. By hand: not on record. \[px\]
-const EDGES_PX: [f64; 2] = [-2.0, 2.0];
+pub(super) const EDGES_PX: [f64; 2] = [-2.0, 2.0];
 /// Widths of the band that are tried first (structural: where a search begins). \[px\]
-const BANDS_PX: [f64; 2] = [1.0, 5.0];
+pub(super) const BANDS_PX: [f64; 2] = [1.0, 5.0];
 /// Standard deviations of the blur that are tried first (structural: where a search begins). \[px\]
 const BLURS_PX: [f64; 2] = [0.3, 2.1];
 /// How many of each are tried (structural: the grid from which a search begins).

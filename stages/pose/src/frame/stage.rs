@@ -1,5 +1,6 @@
 //! The stage that gives cameras their millimetres and their ground.
 
+use crate::calibration::params::CalibrateParams;
 use crate::frame::circle::moved;
 use crate::frame::disk_search::{Rules, edge, still};
 use crate::frame::disk_tags::on_disk;
@@ -41,7 +42,8 @@ stage::params! {
         /// In cameras that were found without marker tags: how far a tag's corners may miss their rays, root
         /// mean square. \[px\]
         #[range(0.1..=50.0)]
-        tag_px: f64 = 3.0,
+        #[source(derived = "most_px of pose.calibrate: what features may miss where cameras are believed")]
+        tag_px: f64 = CalibrateParams::default().most_px,
     }
 }
 
@@ -79,7 +81,7 @@ stage::failures! {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 15;
+    const VERSION: u32 = 16;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;

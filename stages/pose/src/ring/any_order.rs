@@ -17,8 +17,6 @@ use shape::{Camera, Intrinsics, PhotoId, Photos, Pose, Tracks};
 
 /// How many pairs are tried as a beginning (structural: the width of a search).
 const BEGINNINGS: usize = 8;
-/// Points further from where they were seen are left out while cameras are added. By hand: not on record. \[px\]
-const FITS_PX: f64 = 6.0;
 
 /// A point that is triangulated already, and where one more photo shows it. \[mm, px\]
 type KnownPoint = (Point3<f64>, [f64; 2]);
@@ -97,6 +95,12 @@ pub(crate) fn grown(
     })
 }
 
+/// Points further from where they were seen are left out while cameras are added: as many times what is believed at
+/// most as features of a good fit are off. \[px\]
+fn fits_px(p: &CalibrateParams) -> f64 {
+    p.loss * p.most_px
+}
+
 fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
     Beliefs {
         lens: lens_belief(lens, &photos.rig, p),
@@ -111,12 +115,12 @@ fn readjust(grown: &mut Grown, tracks: &Tracks, beliefs: &Beliefs, p: &Calibrate
         steps: 12,
         ..settings(p)
     };
-    for most in [2.0 * FITS_PX, FITS_PX] {
+    for most in [2.0 * fits_px(p), fits_px(p)] {
         let seen = seen(grown, tracks, most);
         let observations = filled(&mut grown.scene, &seen, p.feature_px);
         adjust(&mut grown.scene, &observations, beliefs, &short);
     }
-    let seen = seen(grown, tracks, FITS_PX);
+    let seen = seen(grown, tracks, fits_px(p));
     grown.score = seen
         .iter()
         .map(|s| s.observations.len() as f64 / (1.0 + s.rms_px * s.rms_px))
@@ -141,13 +145,13 @@ fn grow(
         let mut next: Vec<(PhotoId, Vec<KnownPoint>)> = all
             .iter()
             .filter(|id| !grown.ids.contains(id))
-            .map(|id| (*id, known_points(&grown, *id, tracks)))
+            .map(|id| (*id, known_points(&grown, *id, tracks, fits_px(p))))
             .filter(|(_, known)| known.len() >= LEAST_FEATURES)
             .collect();
         next.sort_by_key(|(id, known)| (std::cmp::Reverse(known.len()), *id));
         let added = next.into_iter().find_map(|(id, known)| {
             let near = grown.scene.poses.as_slice();
-            let pose = resected(&grown.scene.lens, near, &known, FITS_PX)?;
+            let pose = resected(&grown.scene.lens, near, &known, fits_px(p))?;
             Some((id, pose))
         });
         let Some((id, pose)) = added else {
@@ -160,7 +164,7 @@ fn grow(
 }
 
 /// Points by the cameras so far, and where one more photo shows them.
-fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks) -> Vec<KnownPoint> {
+fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks, fits_px: f64) -> Vec<KnownPoint> {
     let camera = |pose: &Pose| Camera {
         lens: grown.scene.lens,
         pose: *pose,
@@ -176,7 +180,7 @@ fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks) -> Vec<KnownPoint> 
             })
             .collect();
         let (point, rms) = triangulate(&cameras, &observations)?;
-        (rms < FITS_PX).then_some((point, here.at_px.map(f64::from)))
+        (rms < fits_px).then_some((point, here.at_px.map(f64::from)))
     };
     tracks.points.iter().filter_map(one).collect()
 }

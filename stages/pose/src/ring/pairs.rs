@@ -8,11 +8,10 @@ use shape::{Observation, Tracks};
 const PHOTOS_APART: usize = 3;
 /// Fewest features that hold a camera, or that a pair of photos has in common. By hand: not on record.
 pub(crate) const LEAST_FEATURES: usize = 12;
-/// Features that move less than this belong to what does not turn. By hand: not on record. \[px\]
-const STILL_PX: f64 = 1.0;
 
-/// The pairs of photos with enough in common, pixels from the photo's middle; the turn may close.
-pub(crate) fn pairs(tracks: &Tracks, photos: usize, middle: [f64; 2]) -> Vec<Pair> {
+/// The pairs of photos with enough in common, pixels from the photo's middle; the turn may close. Features that move by
+/// at most `still_px` belong to what does not turn.
+pub(crate) fn pairs(tracks: &Tracks, photos: usize, middle: [f64; 2], still_px: f64) -> Vec<Pair> {
     let mut seen: Vec<Vec<[Vector2<f64>; 2]>> = vec![Vec::new(); photos * photos];
     let centred = |at: [f32; 2]| {
         let at = at.map(f64::from);
@@ -29,7 +28,7 @@ pub(crate) fn pairs(tracks: &Tracks, photos: usize, middle: [f64; 2]) -> Vec<Pai
                 }
                 let (first, second) = if a.photo <= b.photo { (a, b) } else { (b, a) };
                 let both = [centred(first.at_px), centred(second.at_px)];
-                if (both[0] - both[1]).norm() > STILL_PX {
+                if (both[0] - both[1]).norm() > still_px {
                     seen[i * photos + j].push(both);
                 }
             }

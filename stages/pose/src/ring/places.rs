@@ -3,6 +3,7 @@
 //! Where the step of a turn is known, photo i should be at i steps. Whether a photo, or all from
 //! it on, fits the rest far better some whole steps elsewhere is tried, the best change first.
 
+use crate::calibration::params::CalibrateParams;
 use crate::ring::pairs::LEAST_FEATURES;
 use crate::ring::start::{Pair, Start, essential, robust};
 use stage::{Message, message};
@@ -15,13 +16,27 @@ stage::messages! {
 
 /// Changes by so many steps are tried (structural: the width of a search, a cap on work).
 const MOVED_STEPS: [i32; 6] = [-3, -2, -1, 1, 2, 3];
-/// A change must lower the error of the pairs that it touches by this share. By hand: not on record.
-const GAIN_SHARE: f64 = 0.25;
-/// And by this much a pair of features. By hand: not on record. \[px\]
-const GAIN_PX: f64 = 0.5;
+/// By how much a change must lower the error of the pairs that it touches.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gain {
+    /// As a share.
+    share: f64,
+    /// A pair of features. \[px\]
+    px: f64,
+}
+
+impl Gain {
+    /// What is there fits worse by the factor that shows a sway, and by what a feature scatters.
+    pub(crate) fn of(p: &CalibrateParams) -> Self {
+        Gain {
+            share: 1.0 - 1.0 / p.sway_ratio,
+            px: p.feature_px,
+        }
+    }
+}
 
 /// The place of each photo in the turn, in steps, and the start with those angles.
-pub(crate) fn placed(pairs: &[Pair], start: &Start) -> (Start, Vec<i32>) {
+pub(crate) fn placed(pairs: &[Pair], start: &Start, least: Gain) -> (Start, Vec<i32>) {
     let photos = start.angles.len();
     let mut places: Vec<i32> = (0..photos as i32).collect();
     let step = start.angles.get(1).copied().unwrap_or(0.0);
@@ -43,7 +58,7 @@ pub(crate) fn placed(pairs: &[Pair], start: &Start) -> (Start, Vec<i32>) {
             .collect();
         let mut best: Option<(f64, Vec<i32>)> = None;
         for moved in changes(&places) {
-            if let Some(gain) = gain(pairs, &places, &moved, &now, &error)
+            if let Some(gain) = gain(pairs, &places, &moved, &now, &error, least)
                 && best.as_ref().is_none_or(|(most, _)| gain > *most)
             {
                 best = Some((gain, moved));
@@ -93,6 +108,7 @@ fn gain(
     is: &[i32],
     now: &[f64],
     error: &dyn Fn(&Pair, &[i32]) -> Option<f64>,
+    least: Gain,
 ) -> Option<f64> {
     let (mut before, mut after, mut count) = (0.0, 0.0, 0);
     for (pair, now) in pairs.iter().zip(now) {
@@ -105,7 +121,7 @@ fn gain(
     }
     let gain = before - after;
     let worth =
-        count >= LEAST_FEATURES && gain > GAIN_SHARE * before && gain > GAIN_PX * count as f64;
+        count >= LEAST_FEATURES && gain > least.share * before && gain > least.px * count as f64;
     worth.then_some(gain)
 }
 
@@ -209,7 +225,8 @@ mod tests {
             ),
         ] {
             let (pairs, start) = turned(&places);
-            let (found, at) = placed(&pairs, &start);
+            let least = Gain::of(&CalibrateParams::default());
+            let (found, at) = placed(&pairs, &start, least);
             assert_eq!(at, places);
             proof::near(found.angles[9], f64::from(places[9]) * STEP, 1e-9);
             let warnings = out_of_place(&names, &at, 20.0);

@@ -10,7 +10,7 @@ use crate::ring::any_order::grown;
 use crate::ring::cameras::{Solved, to_cameras};
 use crate::ring::error::TracksError;
 use crate::ring::pairs::{chosen, pairs};
-use crate::ring::places::{out_of_place, placed};
+use crate::ring::places::{Gain, out_of_place, placed};
 use crate::ring::stabiliser::{brought, given_back};
 use crate::ring::start::{Known, Pair, starts};
 use crate::ring::trial::tried_out;
@@ -119,7 +119,7 @@ fn beginning(
     p: &CalibrateParams,
 ) -> Result<Beginning, TracksError> {
     let count = ids.len();
-    let shared = pairs(tracks, count, lens.centre);
+    let shared = pairs(tracks, count, lens.centre, p.far_px());
     let neighbours = shared.iter().filter(|p| p.to == p.from + 1).count();
     let apart = TracksError::Apart {
         pairs: neighbours,
@@ -171,7 +171,7 @@ fn best_turn(
     let mut best: Option<(f64, Beginning)> = None;
     for start in &starts(shared, known) {
         let (start, places) = match known.step {
-            Some(_) => placed(shared, start),
+            Some(_) => placed(shared, start, Gain::of(p)),
             None => (start.clone(), (0..known.photos as i32).collect()),
         };
         let (score, scene) = tried_out(lens, &start, ids, &few, p);

@@ -48,8 +48,9 @@ pub struct Known {
     pub step: Option<f64>,
 }
 
-/// Sampson errors beyond this count as this. By hand: not on record. \[px\]
-const CAP_PX: f64 = 8.0;
+/// Sampson errors beyond this count as this (derived: three standard deviations, `loss` of pose.calibrate, where they are
+/// what is believed at most, `most_px`). \[px\]
+const CAP_PX: f64 = 6.0;
 
 /// The point of the axis nearest to the optical axis, at depth one.
 pub(crate) fn on_axis(axis: &Vector3<f64>, beside: f64) -> Vector3<f64> {
@@ -73,7 +74,7 @@ fn sampson(e: &Matrix3<f64>, focal: f64, seen: &[Vector2<f64>; 2]) -> f64 {
     focal * b.dot(&ea) / slope.sqrt().max(1e-12)
 }
 
-/// Sum of the errors of all pairs, each at most eight pixels. \[px\]
+/// Sum of the errors of all pairs, each at most [`CAP_PX`]. \[px\]
 pub(crate) fn robust(e: &Matrix3<f64>, focal: f64, seen: &[[Vector2<f64>; 2]]) -> f64 {
     seen.iter()
         .map(|s| sampson(e, focal, s).abs().min(CAP_PX))

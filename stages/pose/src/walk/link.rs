@@ -45,7 +45,8 @@ stage::params! {
         epipolar_px: f64 = TracksParams::default().epipolar_px,
         /// Features that move less between two photos tell nothing of a camera that walks.
         #[range(0.0..=50.0)]
-        still_px: f64 = 1.5,
+        #[source(derived = "three standard deviations of a feature (feature_px of pose.walk)")]
+        still_px: f64 = 3.0 * WalkParams::default().feature_px,
         /// Least share of what photos have in common that must move in the picture.
         #[range(0.0..=1.0)]
         least_moving: f64 = 0.5,

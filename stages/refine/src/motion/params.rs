@@ -4,6 +4,7 @@ use crate::evidence::params::PatchParams;
 use crate::evidence::patch::Pairing;
 use crate::evidence::scene::VisibilityRules;
 use crate::pictures::turn::PhotoSize;
+use crate::surface::params::OptimizeSurfaceParams;
 
 stage::params! {
     /// What is looked at; pixels are those of the level.
@@ -13,13 +14,15 @@ stage::params! {
         size: PhotoSize = PhotoSize::default(),
         /// Edge of the mesh that is looked at, in pixels of the level on the surface.
         #[range(1.0..=50.0)]
-        edge_px: f64 = 4.0,
+        #[source(derived = "as of refine.optimize_surface")]
+        edge_px: f64 = OptimizeSurfaceParams::default().edge_px,
         /// Which patches are compared.
         #[group(flat)]
         patches: PatchParams = PatchParams { tilt_deg: 60.0, ..PatchParams::default() },
         /// Texture counts in full from this many times the noise's variance.
         #[range(0.0..=1000.0)]
-        noise_gain: f64 = 4.0,
+        #[source(derived = "as of refine.optimize_surface")]
+        noise_gain: f64 = OptimizeSurfaceParams::default().noise_gain,
     }
 }
 

@@ -23,10 +23,12 @@ stage::params! {
         lambda: f64 = 1.0,
         /// Weight η of near neighbours in the median (eq. 7).
         #[range(0.0..=1000.0)]
-        eta: f64 = 1.0,
+        #[source(derived = "as of refine.optimize_surface")]
+        eta: f64 = OptimizeSurfaceParams::default().eta,
         /// Weight κ of alike curved neighbours in the median (eq. 7).
         #[range(0.0..=1000.0)]
-        kappa: f64 = 1.0,
+        #[source(derived = "as of refine.optimize_surface")]
+        kappa: f64 = OptimizeSurfaceParams::default().kappa,
         /// Rings of neighbours in the median.
         #[range(1..=2)]
         #[source(cited = "the paper, eq. 7: the neighbours of a vertex")]
@@ -48,7 +50,8 @@ stage::params! {
         size: PhotoSize = PhotoSize::default(),
         /// Edge of the mesh, in pixels of the level; 0 keeps the mesh as it is.
         #[range(0.0..=50.0)]
-        edge_px: f64 = 4.0,
+        #[source(derived = "as of refine.optimize_surface")]
+        edge_px: f64 = OptimizeSurfaceParams::default().edge_px,
         /// Which patches are compared.
         #[group(flat)]
         patches: PatchParams = PatchParams { patch: 3, level_patch: false, ..PatchParams::default() },
@@ -70,7 +73,9 @@ stage::params! {
         /// Whether each vertex follows its own pull (eq. 3) or its neighbourhood's weighted median (eq. 6).
         flow: Flow = Flow::Rigid,
         /// Weight of near neighbours in the median (eq. 7).
+        // A unit: a median of weights asks only how they are to each other.
         #[range(0.0..=1000.0)]
+        #[source(structural)]
         eta: f64 = 1.0,
         /// Weight of alike curved neighbours in the median (eq. 7).
         #[range(0.0..=1000.0)]
