@@ -11,6 +11,7 @@ use refine::geometry::curvature::{Laplacian, shape_operators};
 use refine::geometry::remesh::{relax, remesh};
 use refine::motion::normal_equations::point_shifts;
 use refine::pictures::depth::DepthMap;
+use refine::pictures::fixed::fixed;
 use refine::pictures::halving::halved;
 use refine::pictures::picture::Picture;
 use refine::surface::energy::Forces;
@@ -63,13 +64,13 @@ fn picture(k: usize) -> Picture {
         }
     }
     Picture {
-        gray: gray.into(),
+        gray: fixed(&gray).into(),
         whole: SIZE,
         corner: [0; 2],
         projection: lens * pose,
         centre,
         focal,
-        inside: Some(inside.into()),
+        inside: Some(fixed(&inside).into()),
         border: None,
         noise: 1.0,
     }
@@ -251,7 +252,8 @@ fn mesh_and_pictures(timer: &Timer, mesh: &Mesh, picture: &Picture) {
     let line = |name: &str, run: &(dyn Fn() + Sync)| timer.line(name, run);
     let around = Adjacency::new(mesh);
     let normals = mesh.normals();
-    line("halving one photo", &|| drop(halved(&picture.gray)));
+    let gray = picture.gray.map(|steps| f32::from(*steps));
+    line("halving one photo", &|| drop(halved(&gray)));
     line("depth map of one photo", &|| {
         drop(DepthMap::new(mesh, picture, 2.0));
     });

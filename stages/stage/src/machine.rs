@@ -25,9 +25,9 @@ fn eight_wide<R>(work: impl FnOnce() -> R) -> R {
 }
 
 /// What is at least so large goes back to the system once it is freed (structural: far larger than what a kernel makes
-/// anew in its loops, far smaller than an image; docs/lab/performance.md). \[bytes\]
+/// anew in its loops, an image of floats is as large; docs/lab/performance.md). \[bytes\]
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
-const GOES_BACK_BYTES: i32 = 4 << 20;
+const GOES_BACK_BYTES: i32 = 16 << 20;
 
 /// From here on, large memory goes back to the system once it is freed. Otherwise glibc keeps more and more of it for
 /// what may come: each time something large is freed, it counts what is smaller as small.

@@ -1,7 +1,6 @@
 //! How long a unit is, from marker tags of known size that cameras from elsewhere see: their corners are
 //! triangulated, and no ring is asked for.
 
-use crate::calibration::params::CalibrateParams;
 use crate::frame::placed_tag::{PlacedTag, placed};
 use crate::mat::corners::mat_corners;
 use nalgebra::Vector3;
@@ -31,8 +30,10 @@ pub(crate) struct Known<'a> {
     pub(crate) most_px: f64,
 }
 
-/// No scale is surer than this share: what is printed or measured, and its reading (derived: as `rim_stretch` of
-/// pose.calibrate, what a printer stretches).
+/// A side of a printed square seems so much longer or shorter, by exposure and blur. By hand: not on record. \[px\]
+const BLOOM_PX: f64 = 0.3;
+
+/// No scale is surer than this share: what is printed or measured, and its reading. By hand: not on record.
 pub(super) const LEAST_SCALE_SIGMA: f64 = 0.001;
 
 /// How long a unit is. `None` where no tag is seen well enough from two sides.
@@ -85,10 +86,9 @@ fn by_sides(placed: &[PlacedTag], tag_mm: f64) -> Option<(f64, f64)> {
     let mut scales: Vec<f64> = placed.iter().map(|tag| tag_mm / tag.side()).collect();
     scales.sort_by(f64::total_cmp);
     let scale = *scales.get(scales.len() / 2)?;
-    let bloom_px = CalibrateParams::default().bloom_px;
     let bloom = placed
         .iter()
-        .map(|tag| 2.0 * bloom_px * tag.pixel / tag.side());
+        .map(|tag| 2.0 * BLOOM_PX * tag.pixel / tag.side());
     let bloom = bloom.fold(f64::MAX, f64::min);
     let squares: f64 = scales.iter().map(|s| (s / scale - 1.0).powi(2)).sum();
     let spread = (squares / scales.len() as f64).sqrt() / (scales.len() as f64).sqrt();

@@ -4,6 +4,7 @@ use crate::turn;
 
 use nalgebra::Vector3;
 use refine::evidence::outside::outside;
+use refine::pictures::fixed::STEP;
 use refine::pictures::picture::Picture;
 use refine::pictures::prepare::{footprint, pictures};
 use shape::{Masks, Mesh, SHOWN};
@@ -99,7 +100,7 @@ fn an_outline_that_its_photo_does_not_show_bounds_less() {
     let pictures = pictures::<Stop>(&photos, &cameras, Some(&masks), 0, 6.0, || Ok(())).unwrap();
     let outline = |picture: &Picture| {
         let inside = picture.inside.as_ref().unwrap();
-        let on = |i: &usize| (0.0..1.0).contains(&inside.data[*i]);
+        let on = |i: &usize| (0.0..1.0).contains(&(f32::from(inside.data[*i]) * STEP));
         let at = (0..inside.data.len())
             .filter(on)
             .map(|i| [i % inside.width, i / inside.width]);
