@@ -156,6 +156,7 @@ impl Stage for Carve {
         };
         let steps = ctx.steps("layers", lattice.bricks[2]);
         let bricks = evaluate(&lattice, &value, &|| steps.tick())?;
+        drop(prepared);
         let cells = bricks.iter().flatten().count() * BRICK.pow(3);
         let (mesh, rest) = largest(&surface(&lattice, &bricks));
         if mesh.faces.is_empty() {

@@ -55,9 +55,8 @@ pub(crate) fn contradicted(
     squares.sort_unstable();
     squares.dedup();
     let share = |(v, view): (usize, &Silhouette)| {
-        let body = view.distance.data.iter().filter(|d| **d > 0.0).count();
         let left_out = squares.iter().filter(|(of, _)| *of == v).count();
-        100.0 * left_out as f64 * across[v].powi(2) / body.max(1) as f64
+        100.0 * left_out as f64 * across[v].powi(2) / view.body_px().max(1) as f64
     };
     views.iter().enumerate().map(share).collect()
 }

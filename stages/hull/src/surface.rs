@@ -99,6 +99,9 @@ fn part(lattice: &Lattice, brick: usize, values: &[f32], cases: &[Case]) -> Part
     }
     vertices.sort_unstable_by_key(|v| v.0);
     vertices.dedup_by_key(|v| v.0);
+    // Each is there once of the six times that it was pushed, and there are many bricks.
+    vertices.shrink_to_fit();
+    triangles.shrink_to_fit();
     Part {
         vertices,
         triangles,

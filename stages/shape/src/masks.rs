@@ -4,6 +4,7 @@ use crate::runs::{pixels, runs};
 use crate::{ByPhoto, Camera, Image, PhotoId};
 use nalgebra::{Point2, Point3};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
+use std::ops::Range;
 
 /// How much of each pixel is body: 0 none, 255 all; the border runs where it crosses 127.5.
 pub type Mask = Image<u8>;
@@ -28,6 +29,22 @@ impl Mask {
     /// How many pixels are body.
     pub fn area(&self) -> usize {
         self.data.iter().filter(|c| **c > 127).count()
+    }
+
+    /// The columns and rows of the body, from the first to the last; [`None`] where nothing is body.
+    pub fn extent(&self) -> Option<[Range<usize>; 2]> {
+        let body = |c: &u8| *c > 127;
+        let shown = |y: &usize| self.row(*y).iter().any(body);
+        let top = (0..self.height).find(shown)?;
+        let bottom = (0..self.height).rev().find(shown)?;
+        let (mut left, mut right) = (self.width, 0);
+        for y in top..=bottom {
+            let row = self.row(y);
+            left = row[..left].iter().position(body).unwrap_or(left);
+            let beyond = row[right..].iter().rposition(body);
+            right = beyond.map_or(right, |x| right + x + 1);
+        }
+        Some([left..right, top..bottom + 1])
     }
 }
 

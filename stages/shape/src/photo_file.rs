@@ -29,6 +29,12 @@ impl PhotoFile {
         Arc::clone(made).downcast().ok()
     }
 
+    /// Keeps nothing of this kind any longer.
+    pub fn drop_kept<T: Any + Send + Sync>(&self) {
+        let mut kept = self.kept.lock().unwrap_or_else(|e| e.into_inner());
+        kept.take_if(|(_, made)| made.is::<T>());
+    }
+
     /// Keeps what was made of the photo by this, in place of what was kept before.
     pub fn keep<T: Any + Send + Sync>(&self, by: Hash, made: &Arc<T>) {
         let made: Arc<dyn Any + Send + Sync> = made.clone();
@@ -82,7 +88,10 @@ mod tests {
         let weak = Arc::downgrade(&file.kept::<u32>(one).unwrap());
         copy.keep(other, &Arc::new(8u32));
         assert!(weak.upgrade().is_none(), "one at a time");
+        file.drop_kept::<u64>();
         assert_eq!(file.kept::<u32>(other).as_deref(), Some(&8));
+        file.drop_kept::<u32>();
+        assert_eq!(copy.kept::<u32>(other), None);
         assert_eq!(
             PhotoFile::from(vec![1, 2, 3]),
             file,

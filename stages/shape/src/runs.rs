@@ -1,6 +1,7 @@
 //! Pixels as runs of equal values: how masks and what else is mostly even is stored.
 
 use stage::Corrupt;
+use std::cmp::Ordering;
 
 /// Pixels as runs: value, then length as three bytes.
 pub(crate) fn runs(pixels: &[u8]) -> Vec<u8> {
@@ -16,19 +17,23 @@ pub(crate) fn runs(pixels: &[u8]) -> Vec<u8> {
 
 /// Runs as pixels; never more than `count` of them.
 pub(crate) fn pixels(runs: &[u8], count: usize) -> Result<Vec<u8>, Corrupt> {
-    let mut pixels = Vec::new();
-    for run in runs.chunks(4) {
-        let &[value, a, b, c] = run else {
-            return Err(Corrupt("half a run".into()));
-        };
-        let length = u32::from_le_bytes([a, b, c, 0]) as usize;
-        if pixels.len() + length > count {
-            return Err(Corrupt("a mask longer than its size".into()));
-        }
-        pixels.resize(pixels.len() + length, value);
+    let length = |run: &[u8]| u32::from_le_bytes([run[1], run[2], run[3], 0]) as usize;
+    let (runs, []) = runs.as_chunks::<4>() else {
+        return Err(Corrupt("half a run".into()));
+    };
+    match runs
+        .iter()
+        .map(|run| length(run))
+        .sum::<usize>()
+        .cmp(&count)
+    {
+        Ordering::Greater => return Err(Corrupt("a mask longer than its size".into())),
+        Ordering::Less => return Err(Corrupt("a mask shorter than its size".into())),
+        Ordering::Equal => {}
     }
-    if pixels.len() != count {
-        return Err(Corrupt("a mask shorter than its size".into()));
+    let mut pixels = Vec::with_capacity(count);
+    for run in runs {
+        pixels.resize(pixels.len() + length(run), run[0]);
     }
     Ok(pixels)
 }
@@ -67,12 +72,12 @@ pub(crate) fn repeats(values: &[f32]) -> (Vec<u32>, Vec<f32>) {
 /// What [`repeats`] took apart, of so many numbers.
 pub(crate) fn repeated(lengths: &[u32], kept: &[f32], count: usize) -> Result<Vec<f32>, Corrupt> {
     let wrong = || Corrupt("numbers that do not fill their picture".into());
-    let (mut values, mut at) = (Vec::new(), 0);
+    if lengths.iter().map(|n| *n as usize).sum::<usize>() != count {
+        return Err(wrong());
+    }
+    let (mut values, mut at) = (Vec::with_capacity(count), 0);
     for (i, length) in lengths.iter().enumerate() {
         let length = *length as usize;
-        if values.len() + length > count {
-            return Err(wrong());
-        }
         if i % 2 == 0 {
             values.extend_from_slice(kept.get(at..at + length).ok_or_else(wrong)?);
             at += length;
@@ -82,7 +87,7 @@ pub(crate) fn repeated(lengths: &[u32], kept: &[f32], count: usize) -> Result<Ve
             at += 1;
         }
     }
-    if values.len() != count || at != kept.len() {
+    if at != kept.len() {
         return Err(wrong());
     }
     Ok(values)

@@ -144,22 +144,12 @@ impl Extent {
     }
 }
 
-/// The smallest part of a silhouette's image that holds the silhouette; [`None`] where it is empty.
+/// The smallest part of a silhouette's image that has the silhouette; [`None`] where it is empty.
 fn bounds(mask: &Mask) -> Option<Crop> {
-    let body = |c: &u8| *c > 127;
-    let shown = |y: &usize| mask.row(*y).iter().any(body);
-    let top = (0..mask.height).find(shown)?;
-    let bottom = (0..mask.height).rev().find(shown)?;
-    let (mut left, mut right) = (mask.width, 0);
-    for y in top..=bottom {
-        let row = mask.row(y);
-        left = row[..left].iter().position(body).unwrap_or(left);
-        let beyond = row[right..].iter().rposition(body);
-        right = beyond.map_or(right, |x| right + x + 1);
-    }
+    let extent = mask.extent()?;
     Some(Crop {
-        corner: [left, top],
-        size: [right - left, bottom + 1 - top],
+        corner: [extent[0].start, extent[1].start],
+        size: extent.map(|e| e.len()),
     })
 }
 

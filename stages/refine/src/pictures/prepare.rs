@@ -82,7 +82,7 @@ pub fn posed<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a Vie
 
 /// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
 /// million pixels, then `level` times more, 500 pixels left. What a photo shows is kept beside its file for the stages that
-/// look at it next, but at level 0. `check` fails when the user asked to stop.
+/// look at it next, but at level 0, with which what was kept goes. `check` fails when the user asked to stop.
 ///
 /// # Errors
 ///
@@ -126,6 +126,9 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
             let by = made_by(lens, mask, halvings);
             if let Some(shown) = photo.file.kept::<Shown>(by) {
                 return Ok(Picture::of(&shown, &camera));
+            }
+            if level == 0 {
+                photo.file.drop_kept::<Shown>();
             }
             let decoded = smaller.get(*id).unwrap_or(photo).decode()?;
             let mask = mask.map(|mask| mask.resized(decoded.width, decoded.height));

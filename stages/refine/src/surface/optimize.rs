@@ -89,6 +89,10 @@ impl Stage for OptimizeSurface {
         if let Some(warps) = &input.warps {
             undeform(&mut pictures, &input.photos, &input.cameras, warps);
         }
+        let unit = input.mesh.unit;
+        // Masks are as large as photos; what is left of them is in the pictures.
+        drop(input);
+        stage::machine::give_freed_memory_back();
         let steps = ctx.steps("rounds", p.rounds as usize);
         let mut state = Checkpoint {
             mesh,
@@ -133,7 +137,7 @@ impl Stage for OptimizeSurface {
         ctx.metric("contour gap", stats.gap_px, "px");
         ctx.metric("crossing faces", crossed as f64, "pairs");
         ctx.metric("faces", mesh.faces.len() as f64, "");
-        mesh.unit = input.mesh.unit;
+        mesh.unit = unit;
         Ok(mesh)
     }
 }
