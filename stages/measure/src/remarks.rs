@@ -45,10 +45,11 @@ pub(crate) fn warnings(girths: &Girths) -> Vec<Message> {
         warnings.push(message!(NO_INTERVAL).of_what(names));
     }
     for girth in &girths.girths {
+        // The spline is in the files and the report alone, and so is what is odd about it.
         let own = girth
             .notes
             .iter()
-            .filter(|n| !matches!(n, Note::Open { .. }));
+            .filter(|n| !matches!(n, Note::Open { .. } | Note::SplineLeft { .. }));
         let name = girth_names(&[(Some(girth.id), &girth.name)]);
         warnings.extend(own.map(|note| note.message().of_what(name.clone())));
     }
