@@ -90,7 +90,7 @@ const SHOWN_MM: f64 = 1.0;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 48;
+    const VERSION: u32 = 49;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;

@@ -3,7 +3,7 @@
 use crate::features::body::Body;
 use crate::features::limb::{Limbs, Segment};
 use crate::geometry::peak::between_rows;
-use crate::planes::limbs::{Across, EXTREME, Placed, holds_other, sure};
+use crate::planes::limbs::{Across, Placed, holds_other, sure};
 use shape::Refusal;
 
 /// Where calves are fullest, as a share of the way from knee to ankle, and its standard deviation: fitted on 57 legs of bodies 162 to 231 of
@@ -45,7 +45,7 @@ pub(crate) fn calf(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, 
     }
     let (at, spread) = fullest(&found, usual);
     let (plane, _) = across.at(at).ok_or(Refusal::NoSection)?;
-    Ok((plane, sure(libm::hypot(EXTREME * body.stature, spread))))
+    Ok((plane, sure(spread)))
 }
 
 /// Where tapes along a line are greatest, and its standard deviation by what may be a greatest: peaks count by how much the tape falls to

@@ -17,10 +17,6 @@ const TILT_RAD: f64 = 2.5 * std::f64::consts::PI / 180.0;
 /// A leg that leans less, 15°, is taken level, as the standard has it. By hand: looked at three scans, at 0.7 and 1.4
 /// of it: tapes move by at most 0 and 0.32 %, intervals change by at most 0 and 2 %. \[cos\]
 pub(super) const LEAST_UPRIGHT: f64 = 0.966;
-/// How sure the level of a greatest girth is, as a share of stature: fitted on thighs and calves of the first fifty bodies of
-/// `models/made/strangers.py`, of whose intervals nine in ten then contain the truth.
-pub(super) const EXTREME: f64 = 0.0033;
-
 pub(super) fn sure(level: f64) -> PlaneSigma {
     PlaneSigma {
         level_mm: Some(level),

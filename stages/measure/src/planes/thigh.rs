@@ -5,8 +5,8 @@ use crate::features::limb::{Limbs, Segment, limbs};
 use crate::features::marks::hip;
 use crate::geometry::halves::{half, webbed};
 use crate::geometry::slices::Slice;
-use crate::model::crotch::{Hidden, crotch};
-use crate::planes::limbs::{Across, EXTREME, LEAST_UPRIGHT, Placed, holds_other, sure};
+use crate::model::crotch::{Hidden, SIGMA, crotch};
+use crate::planes::limbs::{Across, LEAST_UPRIGHT, Placed, holds_other, sure};
 use crate::sections::across_leg::without_hand;
 use nalgebra::{Point3, Vector3};
 use shape::{BodyFeatures, Mesh, Plane, PlaneSigma, Refusal, Side};
@@ -187,9 +187,14 @@ pub(crate) fn unseen(body: &Body, shown: &Shown) -> Result<(Placed, Option<Hidde
     let hidden = shown
         .clear
         .map(|clear| Hidden::of(crotch, share(clear), ONE, tape / hip));
+    // The fullest of what shows is read, and what is above is hidden; parted between folds, it ends at the expected crotch. A level plane
+    // leans with no line of a leg.
+    let line = sure(shown.clear.map_or(SIGMA * body.stature, |_| 0.0));
+    let level = plane.normal[2].abs() == 1.0;
     let sigma = PlaneSigma {
         hidden_mm: hidden.map(|h| h.most * tape).filter(|mm| *mm > 0.0),
-        ..sure(EXTREME * body.stature)
+        tilt_rad: line.tilt_rad.filter(|_| !level).or(Some(0.0)),
+        ..line
     };
     Ok(((plane, sigma), hidden.filter(|h| h.matters(tape))))
 }
