@@ -50,7 +50,7 @@
 //! Beside the energy, each with its reason in its file: patches that stay in place as the body turns are background
 //! (`empty_scene/background_patches.rs`); narrow ends of gaps are followed at full size, where a photo outweighs the rest (`border/narrow_gaps.rs`).
 //! Without a plate the scene is what most photos agree on to the level (`empty_scene/recurring.rs`), and where two photos
-//! agree on a colour that the body has not.
+//! agree on a colour that the body has not, if the learned sense is not sure of the body there.
 //!
 //! # Another algorithm
 //!

@@ -7,7 +7,7 @@ use crate::empty_scene::recurring::Recurring;
 use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
-use crate::raster::as_mask;
+use crate::raster::{as_mask, raster};
 
 use crate::likelihood::body::{EVIDENT, STRANGE, body_cost};
 use crate::likelihood::colors_beside::Nearby;
@@ -15,6 +15,7 @@ use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixtur
 use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grain::missed;
+use crate::likelihood::person::SURE;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
 use crate::scene::backdrop::Backdrop;
 use crate::scene::still_and_disk::{Scene, Shot, scene};
@@ -72,7 +73,7 @@ pub fn without_plate(
     };
     let body = body_colors(shots, &backdrop, radius);
     if let Some(body) = &body {
-        glimpsed(&mut backdrop, &recurring, &smalls, body);
+        glimpsed(&mut backdrop, &recurring, &smalls, body, people);
         without_islands(&mut backdrop.seen);
     }
     let covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
@@ -206,10 +207,28 @@ fn evident(shots: &[Shot], ready: &[Prepared], radius: f64) -> Option<Gmm> {
 }
 
 /// Adds to the background what two photos suffice to show: that they have the same to the level, in a
-/// colour that the body has not.
-fn glimpsed(backdrop: &mut Backdrop, recurring: &Recurring<'_>, smalls: &[Rgb], body: &Gmm) {
-    let likely = |c: &[u8; 3]| body_cost(body, *c) < STRANGE;
-    let hidden: Vec<Image<bool>> = smalls.par_iter().map(|s| s.map(likely)).collect();
+/// colour that the body has not. Where a learned sense is sure of the body two do not suffice: a plain garment, near
+/// the axis, is alike on both.
+fn glimpsed(
+    backdrop: &mut Backdrop,
+    recurring: &Recurring<'_>,
+    smalls: &[Rgb],
+    body: &Gmm,
+    people: &[Vec<f32>],
+) {
+    let hidden: Vec<Image<bool>> = smalls
+        .par_iter()
+        .enumerate()
+        .map(|(k, small)| {
+            let person = people.get(k).map_or(&[][..], Vec::as_slice);
+            let hides = |(i, color)| {
+                let sure = person.get(i).is_some_and(|odds| *odds > SURE);
+                sure || body_cost(body, color) < STRANGE
+            };
+            let data = small.data.iter().copied().enumerate().map(hides);
+            raster(small.width, small.height, data.collect())
+        })
+        .collect();
     let more = recurring.shown(Some(&hidden), MIN_AGREEMENT);
     for i in 0..backdrop.seen.data.len() {
         if !backdrop.seen.data[i] && more.seen.data[i] {
@@ -225,5 +244,54 @@ fn without_islands(seen: &mut Image<bool>) {
     let (of, sizes) = parts(seen, true);
     for (seen, of) in seen.data.iter_mut().zip(&of.data) {
         *seen &= *of != u32::MAX && sizes[*of as usize] >= least;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIDE: usize = 40;
+
+    fn amid(i: usize) -> bool {
+        (14..26).contains(&(i % SIDE)) && (14..26).contains(&(i / SIDE))
+    }
+
+    /// Whether the middle of six photos is glimpsed, where the first two show the same blue and the others a body that turns.
+    fn sees(people: &[Vec<f32>]) -> bool {
+        let mut dice = proof::Dice(3);
+        let mut noisy = |color: [f64; 3]| color.map(|v| (v + dice.normal()).round() as u8);
+        let mut photo = |k: usize| {
+            let skin = [200.0 - 8.0 * k as f64, 150.0, 120.0];
+            let amid_all = if k < 2 { [90.0, 120.0, 180.0] } else { skin };
+            let all = (0..SIDE * SIDE).map(|i| noisy(if amid(i) { amid_all } else { [150.0; 3] }));
+            raster(SIDE, SIDE, all.collect())
+        };
+        let photos: Vec<Rgb> = (0..6).map(&mut photo).collect();
+        let of_body = photos[2..].iter().flat_map(|p| p.data.iter().enumerate());
+        let of_body = of_body.filter(|(i, _)| amid(*i)).map(|(_, color)| *color);
+        let body = Gmm::fit(&of_body.collect::<Vec<_>>(), 2).expect("clusters");
+        let mut backdrop = Backdrop {
+            image: Rgb::filled(SIDE, SIDE, [0; 3]),
+            seen: Image::filled(SIDE, SIDE, false),
+        };
+        glimpsed(
+            &mut backdrop,
+            &Recurring::of(&photos),
+            &photos,
+            &body,
+            people,
+        );
+        backdrop.seen.at(20, 20)
+    }
+
+    #[test]
+    fn what_two_photos_share_is_background_unless_a_person_is_seen_there() {
+        let person = |odds: f32| {
+            let one = (0..SIDE * SIDE).map(|i| if amid(i) { odds } else { -6.0 });
+            vec![one.collect::<Vec<f32>>(); 6]
+        };
+        assert!(sees(&[]) && sees(&person(1.0)));
+        assert!(!sees(&person(4.7)));
     }
 }
