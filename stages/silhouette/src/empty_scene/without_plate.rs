@@ -257,7 +257,7 @@ mod tests {
         (14..26).contains(&(i % SIDE)) && (14..26).contains(&(i / SIDE))
     }
 
-    /// Whether the middle of six photos is glimpsed, where the first two show the same blue and the others a body that turns.
+    /// Whether the middle of six photos is glimpsed, where the first two show the same blue and the rest a body that turns.
     fn sees(people: &[Vec<f32>]) -> bool {
         let mut dice = proof::Dice(3);
         let mut noisy = |color: [f64; 3]| color.map(|v| (v + dice.normal()).round() as u8);
