@@ -5,7 +5,7 @@ use crate::derive::{Known, compress, derive, profile, withhold};
 use crate::features::body::Body;
 use crate::growth::growth;
 use crate::named::named;
-use crate::remarks::warnings;
+use crate::remarks::{Unsure, warnings};
 use crate::sections::one::SectionMeasurement;
 use crate::sections::picked::picked;
 use crate::sections::taken::taken;
@@ -17,16 +17,12 @@ use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{Borders, by_silhouettes, open_mm};
 use crate::uncertainty::reported::{Seen, Sure};
 use shape::{
-    BodyFeatures, BodyPart, Cameras, Girth, GirthId, Girths, Landmark, Landmarks, LostParts, Masks,
-    Mesh, Missing, Person, Photos, Refusal, girth_names,
+    BodyFeatures, BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh,
+    Missing, Person, Photos, Refusal,
 };
-use stage::{Ctx, Message, Stage, Stop, message};
+use stage::{Ctx, Message, Stage, Stop};
 use std::f64::consts::TAU;
 use std::sync::Arc;
-
-stage::messages! {
-    COVERED = "warn-covered": "the section crosses a hole of the scan that is closed by a flat cover: the interval is wider by what the skin may bulge there";
-}
 
 stage::params! {
     /// How sure the surface is, and points picked by hand.
@@ -85,9 +81,6 @@ const CARVED_EDGES: f64 = 0.1;
 /// fifty bodies of `models/made/strangers.py` lose or gain where they are remeshed.
 const REMESHED: f64 = 0.045;
 
-/// What a girth is shown to; what is shorter is not remarked (structural). \[mm\]
-const SHOWN_MM: f64 = 1.0;
-
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
     const VERSION: u32 = 49;
@@ -112,7 +105,7 @@ impl Stage for Measure {
             ..Girths::default()
         };
         let ((outlines, edges), hem) = (outlines(&input, body), body.and_then(hem));
-        let covers = Covers::of(mesh);
+        let (covers, mut unsure) = (Covers::of(mesh), Unsure::default());
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
         let lost = |l: &&Landmark| lost(&input, l).is_some();
@@ -132,7 +125,7 @@ impl Stage for Measure {
             let level = body.map_or(Level::default(), |b| level_spread(mesh, b, landmark, &here));
             let worn = hem.filter(|_| seen.worn_mm > 0.0);
             let (tape_mm, girth) = (here.tape_mm, sure.girth(landmark, here, &seen, level));
-            remark(landmark, (&seen, tape_mm, girth.as_ref().ok()), &input, ctx);
+            unsure.note(landmark, (&seen, tape_mm, girth.as_ref().ok()));
             match girth {
                 Ok(girth) => girths.girths.push(girth),
                 Err(reason) => refuse(landmark, (reason, worn), &mut girths),
@@ -176,8 +169,8 @@ impl Stage for Measure {
             withhold(&mut girths, between);
         }
         explain(&mut girths, &evidence);
-        let all = odd.into_iter().chain(warnings(&girths));
-        all.for_each(|w| ctx.warn(w));
+        let warnings = warnings(&girths, &unsure, input.photos.as_deref());
+        odd.into_iter().chain(warnings).for_each(|w| ctx.warn(w));
         Ok(girths)
     }
 }
@@ -219,21 +212,6 @@ fn missing(input: &GirthInput) -> Vec<Missing> {
 fn lost(input: &GirthInput, landmark: &Landmark) -> Option<Message> {
     let part = BodyPart::of(landmark.region)?;
     left_out(input.lost_parts.as_deref()?, part)
-}
-
-/// Remarks that a section crosses a hole that was closed, or that photos do not show its outlines, where that shows in its
-/// interval.
-fn remark(
-    landmark: &Landmark,
-    (seen, tape_mm, girth): (&Seen, f64, Option<&Girth>),
-    input: &GirthInput,
-    ctx: &Ctx<'_>,
-) {
-    let covered = (seen.covered_mm > SHOWN_MM).then(|| message!(COVERED));
-    let unseen = (seen.unseen).remark(tape_mm, girth.map(|g| &g.sigmas), input.photos.as_deref());
-    let name = girth_names(&[(Some(landmark.id), &landmark.name)]);
-    let all = covered.into_iter().chain(unseen);
-    all.for_each(|w| ctx.warn(w.of_what(name.clone())));
 }
 
 /// What outlines tell of a section.

@@ -3,15 +3,8 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 use rayon::prelude::*;
-use shape::{
-    Camera, Cameras, Mask, Masks, Outline, PhotoId, Photos, Place, Plane, Sigmas, View, some_photos,
-};
-use stage::{Message, message};
+use shape::{Camera, Cameras, Mask, Masks, Outline, PhotoId, Photos, Place, Plane, Sigmas, View};
 use std::f64::consts::TAU;
-
-stage::messages! {
-    COLORS_ALIKE = "warn-colors-alike": "what is worn and what is behind look alike along the outline there on {names}: the interval is wider by what masks may leave out or keep; wear another colour";
-}
 
 /// From this share of a tape on it is noted that outlines do not confirm it. By hand: not on record; it decides a note
 /// alone.
@@ -38,19 +31,10 @@ pub(crate) struct Unseen {
 }
 
 impl Unseen {
-    /// Names photos where it shows in the interval of a tape, and is most of it if that is given. \[mm\]
-    pub(crate) fn remark(
-        &self,
-        tape_mm: f64,
-        sigmas: Option<&Sigmas>,
-        photos: Option<&Photos>,
-    ) -> Option<Message> {
+    /// Whether it shows in the interval of a tape, and is most of it if that is given. \[mm\]
+    pub(crate) fn shows(&self, tape_mm: f64, sigmas: Option<&Sigmas>) -> bool {
         let most = |s: &Sigmas| 2.0 * self.tape_mm * self.tape_mm > s.variance();
-        let shows = self.tape_mm > OPEN_SHARE * tape_mm && sigmas.is_none_or(most);
-        let of = self.photos.iter().filter_map(|id| photos?.get(*id));
-        let names: Vec<String> = of.map(|photo| photo.name.clone()).collect();
-        let names = some_photos(&names).filter(|_| shows)?;
-        Some(message!(COLORS_ALIKE, names = names))
+        self.tape_mm > OPEN_SHARE * tape_mm && sigmas.is_none_or(most)
     }
 }
 
