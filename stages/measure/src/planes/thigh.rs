@@ -193,7 +193,7 @@ pub(crate) fn unseen(body: &Body, shown: &Shown) -> Result<(Placed, Option<Hidde
     let level = plane.normal[2].abs() == 1.0;
     let sigma = PlaneSigma {
         hidden_mm: hidden.map(|h| h.most * tape).filter(|mm| *mm > 0.0),
-        tilt_rad: line.tilt_rad.filter(|_| !level).or(Some(0.0)),
+        tilt_rad: if level { Some(0.0) } else { line.tilt_rad },
         ..line
     };
     Ok(((plane, sigma), hidden.filter(|h| h.matters(tape))))
