@@ -30,7 +30,8 @@ impl Seen {
         weights: [f64; 3],
     ) {
         for (v, w) in mesh.faces[face as usize].iter().zip(weights) {
-            self.at_rest += Vector3::from(rest[*v as usize].map(f64::from)) * w;
+            let [x, y, z] = rest[*v as usize];
+            self.at_rest += Vector3::new(f64::from(x), f64::from(y), f64::from(z)) * w;
             self.normal += normals[*v as usize] * w;
             if let Some(levels) = mesh.colors.get(*v as usize) {
                 let sum = self.color.get_or_insert_default();
@@ -42,6 +43,8 @@ impl Seen {
 
 /// Rows of pixels that are worked on at a time (structural: speed alone).
 const BAND: usize = 32;
+/// Rays so near to a triangle's box are still asked (structural: well above what numbers are rounded by). \[px\]
+const SLACK: f64 = 1e-3;
 
 /// A triangle in the camera's frame: ray d meets it where all `edges[i] · d` are not positive, at
 /// the weights `edges[i] · d` over their sum and the depth `det` over their sum (Olano, Greer 1997).
@@ -52,6 +55,36 @@ struct Ready {
     /// Least and greatest column, least and greatest row. \[px\]
     columns: [usize; 2],
     rows: [usize; 2],
+    /// Least and greatest place along a row and along a column at which a ray may meet it. \[px\]
+    along: [f64; 2],
+    down: [f64; 2],
+}
+
+impl Ready {
+    /// The depth at which a ray meets it, and the weights of its first two corners there.
+    #[inline]
+    fn met(&self, [u, v]: [f64; 2]) -> Option<(f64, [f64; 2])> {
+        let side = |e: &Vector3<f64>| e.x * u + e.y * v + e.z;
+        let [e, f, g] = &self.edges;
+        let (a, b, c) = (side(e), side(f), side(g));
+        if a > 0.0 || b > 0.0 || c > 0.0 {
+            return None;
+        }
+        let sum = a + b + c;
+        (sum < 0.0).then(|| (self.det / sum, [a / sum, b / sum]))
+    }
+}
+
+/// Which of so many rays a pixel, from the first to before the last, are between two places. \[px\]
+fn between(
+    [low, high]: [f64; 2],
+    rays: usize,
+    first: usize,
+    last: usize,
+) -> std::ops::Range<usize> {
+    let ray = |place: f64| (place + 0.5) * rays as f64 - 0.5;
+    let (from, to) = (ray(low).ceil().max(0.0), ray(high).floor().max(-1.0) + 1.0);
+    first.max(from as usize)..last.min(to as usize)
 }
 
 /// Calls `each` with column, row and what is seen, for every pixel that shows the mesh.
@@ -92,18 +125,20 @@ pub fn cast(
         // Depth, face and its first two weights at each ray.
         let mut nearest = vec![(f64::MAX, u32::MAX, 0.0, 0.0); direction.len()];
         for t in bin.iter().map(|i| &triangles[*i as usize]) {
-            let rows = t.rows[0].max(top) - top..t.rows[1].min(bottom - 1) + 1 - top;
-            for y in rows.start * rays..rows.end * rays {
-                for x in t.columns[0] * rays..(t.columns[1] + 1) * rays {
-                    let [u, v] = direction[y * fine + x];
-                    let [a, b, c] = t.edges.map(|e| e.x * u + e.y * v + e.z);
-                    if a > 0.0 || b > 0.0 || c > 0.0 {
-                        continue;
-                    }
-                    let sum = a + b + c;
-                    let depth = t.det / sum;
-                    if sum < 0.0 && depth < nearest[y * fine + x].0 {
-                        nearest[y * fine + x] = (depth, t.face, a / sum, b / sum);
+            let (first, last) = (t.rows[0].max(top), t.rows[1].min(bottom - 1) + 1);
+            let columns = between(
+                t.along,
+                rays,
+                t.columns[0] * rays,
+                (t.columns[1] + 1) * rays,
+            );
+            for y in between(t.down, rays, first * rays, last * rays) {
+                let row = (y - top * rays) * fine;
+                for x in columns.clone() {
+                    if let Some((depth, [a, b])) = t.met(direction[row + x])
+                        && depth < nearest[row + x].0
+                    {
+                        nearest[row + x] = (depth, t.face, a, b);
                     }
                 }
             }
@@ -162,19 +197,24 @@ fn ready(mesh: &Mesh, camera: &Camera, motion: Option<&Pose>) -> Vec<Ready> {
             continue;
         }
         let range = |pick: fn(&Point2<f64>) -> f64, size: f64| {
-            let low = pick(&pa).min(pick(&pb)).min(pick(&pc)) - 0.5 - bend;
-            let high = pick(&pa).max(pick(&pb)).max(pick(&pc)) + 0.5 + bend;
+            let least = pick(&pa).min(pick(&pb)).min(pick(&pc));
+            let most = pick(&pa).max(pick(&pb)).max(pick(&pc));
+            let (low, high) = (least - 0.5 - bend, most + 0.5 + bend);
             let inside = high >= 0.0 && low <= size - 1.0;
             let whole = |x: f64| x.clamp(0.0, size - 1.0) as usize;
-            inside.then(|| [whole(low.floor()), whole(high.ceil())])
+            let rays = [least - SLACK - 2.0 * bend, most + SLACK + 2.0 * bend];
+            inside.then(|| ([whole(low.floor()), whole(high.ceil())], rays))
         };
-        if let (Some(columns), Some(rows)) = (range(|p| p.x, width), range(|p| p.y, height)) {
+        let (across, up) = (range(|p| p.x, width), range(|p| p.y, height));
+        if let (Some((columns, along)), Some((rows, down))) = (across, up) {
             triangles.push(Ready {
                 face: face as u32,
                 edges,
                 det,
                 columns,
                 rows,
+                along,
+                down,
             });
         }
     }
