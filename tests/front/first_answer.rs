@@ -65,8 +65,8 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// Half of the photos and coarse surfaces: a whole measuring within seconds.
-const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm=6 --set compensated_coarse.level=3 \
+/// Half of the photos, looked at small, and coarse surfaces: a whole measuring within seconds.
+const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set aligned.coarse_px=200 --set params.cell_mm=6 --set compensated_coarse.level=3 \
     --set coarse.level=3 --set coarse.edge_px=8 --set coarse.rounds=1 --set compensated.level=2 \
     --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 \
     --set body.rounds=1 --set textured.atlas_px=256 --set textured.rounds=0";
