@@ -9,8 +9,8 @@ use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 use synth::{Build, body_solid, bounds, surface};
 
-/// Surfaces that a test has made, by what they are of: many ask for the same body.
-static MADE: LazyLock<Mutex<HashMap<String, Mesh>>> = LazyLock::new(Mutex::default);
+/// Surfaces that a test has made or is making, by what they are of: many ask for the same body.
+static MADE: LazyLock<Mutex<HashMap<String, Arc<OnceLock<Mesh>>>>> = LazyLock::new(Mutex::default);
 
 /// A standing body whose arms are so far from its sides.
 pub(crate) fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
@@ -26,13 +26,12 @@ pub(crate) fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
 /// Its surface.
 pub(crate) fn meshed(solid: &Solid, cell_mm: f64) -> Mesh {
     let of = format!("{solid:?} {cell_mm}");
-    let known = MADE.lock().unwrap().get(&of).cloned();
-    known.unwrap_or_else(|| {
+    let made = MADE.lock().unwrap().entry(of).or_default().clone();
+    let make = || {
         let (low, high) = bounds(solid);
-        let mesh = surface(solid, low, high, cell_mm);
-        MADE.lock().unwrap().insert(of, mesh.clone());
-        mesh
-    })
+        surface(solid, low, high, cell_mm)
+    };
+    made.get_or_init(make).clone()
 }
 
 /// Cameras without photos: what they know of the scale, and where their ground is.
