@@ -1,5 +1,7 @@
 //! Images: rows of pixels, row-major, the centre of the top-left pixel at (0, 0).
 
+use std::ops::Range;
+
 /// An image.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Image<T> {
@@ -43,6 +45,17 @@ impl<T: Copy> Image<T> {
     #[inline]
     pub fn row(&self, y: usize) -> &[T] {
         &self.data[y * self.width..(y + 1) * self.width]
+    }
+
+    /// The part that is these columns and rows.
+    pub fn part(&self, [columns, rows]: [Range<usize>; 2]) -> Self {
+        let (width, height) = (columns.len(), rows.len());
+        let pixels = rows.flat_map(|y| &self.row(y)[columns.clone()]);
+        Image {
+            width,
+            height,
+            data: pixels.copied().collect(),
+        }
     }
 
     /// Another value for each pixel.

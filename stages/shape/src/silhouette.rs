@@ -42,19 +42,14 @@ impl Silhouette {
         let whole = [mask.width, mask.height];
         let body = mask.extent().unwrap_or(whole.map(|n| 0..n));
         let around = (AROUND_SHARE * whole[0].max(whole[1]) as f32).ceil() as usize;
-        let [columns, rows] = [0, 1]
+        let part = [0, 1]
             .map(|i| body[i].start.saturating_sub(around)..whole[i].min(body[i].end + around));
-        let part = rows.clone().flat_map(|y| &mask.row(y)[columns.clone()]);
         Silhouette {
             camera: camera.resized(mask.width as u32, mask.height as u32),
             whole,
             body,
-            corner: [columns.start, rows.start],
-            distance: signed_distance(&Image {
-                width: columns.len(),
-                height: rows.len(),
-                data: part.copied().collect(),
-            }),
+            corner: part.each_ref().map(|range| range.start),
+            distance: signed_distance(&mask.part(part)),
         }
     }
 

@@ -67,14 +67,7 @@ impl Crop {
 
     /// This part of an image.
     pub(crate) fn of<T: Copy>(&self, image: &Image<T>) -> Image<T> {
-        let [left, top] = self.corner;
-        let [width, height] = self.size;
-        let rows = (top..top + height).flat_map(|y| &image.row(y)[left..left + width]);
-        Image {
-            width,
-            height,
-            data: rows.copied().collect(),
-        }
+        image.part([0, 1].map(|i| self.corner[i]..self.corner[i] + self.size[i]))
     }
 
     /// A lens that shows this part of what `lens` shows.
