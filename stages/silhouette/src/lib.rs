@@ -44,6 +44,7 @@
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
 //! | both | … and the log-odds of a learned sense of a person, on the side that they speak against | `likelihood/person.rs` |
 //! | both | … and the log-odds of all other photos: how deep a pixel's ray passes into the hull of their bodies, or how far beside it, and whether the photo from the other side shows background there, worth what the photos of the capture show of such pixels; with odds, the background costs no more than what no scene foresees, by how often the photo shows such where all other photos see the background | `label/between_photos.rs` |
+//! | both | … at full size, along the border: a mixture of what is on either side of a pixel, on the side that it shows more of; how wide borders are is measured of each photo | `border/mixed.rs` |
 //! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
 //! | parts | the body is the largest part; by colours alone, without specks | `label/parts.rs` |
 //!

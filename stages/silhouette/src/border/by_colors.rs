@@ -4,7 +4,7 @@ use crate::border::soft_border::coverage;
 use crate::border::tiles::{band, of_small, settled};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::by_colors::{ByColors, costs};
-use crate::label::color_cut::{Settings, cut};
+use crate::label::color_cut::{Costs, Settings, cut};
 use crate::label::parts::without_specks;
 use crate::raster::raster;
 use shape::{Mask, Rgb};
@@ -23,7 +23,7 @@ pub(crate) fn fine_by_colors(
     let background = costs(photo, ground);
     let fine = cut(
         photo,
-        [&background, &[]],
+        &Costs::of_background(&background),
         &Window::all(photo),
         own,
         settings,

@@ -1,10 +1,11 @@
 //! The border of a coarse cut, cut again at full size.
 
+use crate::border::mixed::{Mixtures, Sides};
 use crate::border::narrow_gaps::follow;
 use crate::border::soft_border::soft_border;
 use crate::border::tiles::{band, cut_again, of_small, settled, tiles};
 use crate::cut::least_cut::{Known, Window};
-use crate::label::color_cut::{Settings, cut};
+use crate::label::color_cut::{Costs, Settings, cut};
 use crate::likelihood::background::{Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
@@ -59,14 +60,20 @@ pub fn fine(
         data: ready.person.clone(),
     };
     let known = |i: usize| settled.at(i % width, i / width);
+    let places = settled.places(width, height);
+    let mixtures = Mixtures::of(&Sides::of(&likeness, without, &cost, &known), &places);
     let mut sides = cut_again(pixels, factor, coarse, &band, &|window| {
         let rows = window.y..window.y + window.height;
         let of_window: Vec<f32> = rows
             .flat_map(|y| &cost[y * width + window.x..][..window.width])
             .map(|cost| ready.foreseen_or_not(*cost))
             .collect();
-        let person = settled.within(&person, window);
-        cut(pixels, [&of_window, &person], window, gmm, settings, &known)
+        let costs = Costs {
+            background: &of_window,
+            person: &settled.within(&person, window),
+            mixed: &mixtures.within(window, width),
+        };
+        cut(pixels, &costs, window, gmm, settings, &known)
     });
     if ready.unforeseen.is_some() {
         let odds = |x: usize, y: usize| settled.between(&person, x, y);
@@ -106,6 +113,16 @@ impl Settled {
         of_small(&self.known, self.factor, x, y)
     }
 
+    /// Pixels (x, y) of a photo of this size that are open or near one, row by row.
+    fn places(&self, width: usize, height: usize) -> Vec<(usize, usize)> {
+        let rows = |y: usize| {
+            let near = (0..width).step_by(self.factor);
+            let near = near.filter(move |x| of_small(&self.near, self.factor, *x, y));
+            near.flat_map(move |x| (x..(x + self.factor).min(width)).map(move |x| (x, y)))
+        };
+        (0..height).flat_map(rows).collect()
+    }
+
     /// Whether a pixel or one of its neighbours is open.
     fn beside_open(&self, x: usize, y: usize) -> bool {
         let open = |x: usize, y: usize| self.at(x, y) == Known::Unknown;
@@ -143,11 +160,8 @@ impl Settled {
         } else {
             window.width * window.height
         };
-        let at = |i: usize| (window.x + i % window.width, window.y + i / window.width);
-        (0..count)
-            .map(at)
-            .map(|(x, y)| self.between(coarse, x, y))
-            .collect()
+        let places = window.places().take(count);
+        places.map(|(x, y)| self.between(coarse, x, y)).collect()
     }
 
     /// The same at a pixel between the middles of coarse ones; 0 where there is none.

@@ -36,7 +36,7 @@ pub(crate) fn follow(
         thinner: likeness.noise.thinner(),
         seen: &without.seen,
         before: sides.clone(),
-        known: vec![f32::NAN; width * height],
+        known: vec![0.0; width * height],
         asked: vec![false; width * height],
     };
     let mut front = borders(sides);
@@ -62,7 +62,7 @@ struct Gaps<'a> {
     seen: &'a Image<bool>,
     /// The cut as it was.
     before: Image<bool>,
-    /// What was asked before; NaN where nothing was.
+    /// What pixels cost as background; 0, which none costs, where nobody asked. Pages without any take no memory.
     known: Vec<f32>,
     /// Neighbourhoods that were asked.
     asked: Vec<bool>,
@@ -79,7 +79,7 @@ impl Gaps<'_> {
             if on == Ground::Disk {
                 return false;
             }
-            if self.known[i].is_nan() {
+            if self.known[i] == 0.0 {
                 self.known[i] = match self.seen.data[i] {
                     true => self.likeness.single(x, y, on),
                     false => self.beside(i),

@@ -36,6 +36,13 @@ impl Window {
             height: image.height,
         }
     }
+
+    /// Its pixels (x, y) in the image, row by row.
+    pub(crate) fn places(&self) -> impl Iterator<Item = (usize, usize)> {
+        let (x, width) = (self.x, self.width);
+        let rows = self.y..self.y + self.height;
+        rows.flat_map(move |y| (x..x + width).map(move |x| (x, y)))
+    }
 }
 
 /// What a cut goes by. Pixels are named by their place in the photo (`i`) or in the window (`here`).

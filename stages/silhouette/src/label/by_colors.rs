@@ -1,7 +1,7 @@
 //! The subject by its colours alone, where nothing is known of the scene but a rectangle (Rother, Kolmogorov, Blake 2004).
 
 use crate::cut::least_cut::{Known, Window};
-use crate::label::color_cut::{Settings, cut};
+use crate::label::color_cut::{Costs, Settings, cut};
 use crate::label::parts::without_specks;
 use crate::likelihood::gmm::Gmm;
 use crate::raster::raster;
@@ -42,7 +42,7 @@ pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Op
         let costs = costs(small, &ground);
         body = cut(
             small,
-            [&costs, &[]],
+            &Costs::of_background(&costs),
             &Window::all(small),
             &own,
             settings,

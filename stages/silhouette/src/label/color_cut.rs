@@ -75,28 +75,61 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
         let own = body.iter().zip(&photo.data).filter(|(b, _)| **b);
         let colors: Vec<[u8; 3]> = own.map(|(_, c)| *c).step_by(7).collect();
         let fitted = Gmm::fit(&colors, settings.clusters)?;
-        let costs: [&[f32]; 2] = [&background, person];
-        body = cut(photo, costs, &window, &fitted, &settings, &|i| known[i]);
+        let costs = Costs {
+            person,
+            ..Costs::of_background(&background)
+        };
+        body = cut(photo, &costs, &window, &fitted, &settings, &|i| known[i]);
         gmm = Some(fitted);
     }
     let sides = raster(photo.width, photo.height, body);
     Some((largest_part(&sides), gmm?))
 }
 
-/// Cuts a window: true is body. What pixels cost as background, the log-odds of the body by a person's sense (empty where
-/// there are none) and the result are row-major over the window, `known` goes by the photo's pixels.
+/// What the pixels of a window cost, row by row; `person` and `mixed` are empty where nothing is known of them. \[nats\]
+pub(crate) struct Costs<'a> {
+    /// As background.
+    pub(crate) background: &'a [f32],
+    /// Log-odds of the body by a person's sense.
+    pub(crate) person: &'a [f32],
+    /// As background and as body, if a pixel is a mixture of both.
+    pub(crate) mixed: &'a [Option<[f32; 2]>],
+}
+
+impl<'a> Costs<'a> {
+    /// Where no more is known.
+    pub(crate) fn of_background(background: &'a [f32]) -> Self {
+        let (person, mixed) = (&[] as &[_], &[] as &[_]);
+        Costs {
+            background,
+            person,
+            mixed,
+        }
+    }
+}
+
+/// Cuts a window: true is body. The result is row-major over the window, `known` goes by the photo's pixels.
 pub(crate) fn cut(
     photo: &Rgb,
-    [background, person]: [&[f32]; 2],
+    costs: &Costs<'_>,
     window: &Window,
     body: &Gmm,
     settings: &Settings,
     known: &dyn Fn(usize) -> Known,
 ) -> Vec<bool> {
+    let Costs {
+        background, person, ..
+    } = costs;
     let colours = |i: usize, here: usize| {
         // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
-        let keep = f64::from(background[here]);
-        let of_body = body_cost(body, photo.data[i]) - settings.thinner;
+        let (mut keep, mut of_body) = (
+            f64::from(background[here]),
+            body_cost(body, photo.data[i]) - settings.thinner,
+        );
+        if let Some(Some([ground, of_both])) = costs.mixed.get(here) {
+            keep = keep.min(f64::from(*ground));
+            of_body = of_body.min(f64::from(*of_both));
+        }
         let (keep, of_body) = match person.get(here) {
             Some(odds) => with_person(keep, of_body, *odds),
             None => (keep, of_body),
