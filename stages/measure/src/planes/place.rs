@@ -57,16 +57,19 @@ pub(crate) fn trunk(
     let beside = beside.filter_map(|which| Some(at(which.id(), placed(which)?)));
     let chest = reported.and_then(|t| t.at(Level::Chest));
     let chest = chest.map(|p| at(GirthId::Chest, p));
+    let nowhere = reported.is_some_and(|t| t.narrowest().is_none());
+    let asked_nowhere = nowhere && chosen == Waist::Narrowest;
     for (id, there) in [
         (GirthId::Hip, hip.is_some()),
         (GirthId::Waist, waist.is_some()),
+        (GirthId::WaistNarrowest, !nowhere || asked_nowhere),
         (GirthId::Chest, chest.is_some()),
     ] {
-        let nowhere = chosen == Waist::Narrowest && reported.is_some() && id == GirthId::Waist;
-        let reason = match (nowhere, id) {
-            (true, _) => Refusal::NoExtreme,
+        let reason = match id {
+            GirthId::WaistNarrowest => Refusal::NoExtreme,
+            GirthId::Waist if asked_nowhere => Refusal::NoExtreme,
             // Of a whole body: under a skirt.
-            (_, GirthId::Hip) if body.whole => Refusal::NoLegs,
+            GirthId::Hip if body.whole => Refusal::NoLegs,
             _ => unlike(body),
         };
         found

@@ -175,3 +175,20 @@ fn a_body_cut_off_at_the_thighs_or_the_waist_gives_reasons_and_no_numbers() {
         }
     }
 }
+
+#[test]
+fn a_trunk_that_is_nowhere_narrowest_has_its_waist_and_names_what_it_lacks() {
+    let mut barrel = built(1750.0, 1.0, 35.0);
+    for part in &mut barrel.parts {
+        if let SolidPart::Stack { levels, .. } = part {
+            for level in levels.iter_mut().filter(|l| (900.0..1250.0).contains(&l.z)) {
+                level.half = [168.0, 124.0];
+            }
+        }
+    }
+    let (landmarks, girths) = measured(meshed(&barrel, 10.0));
+    assert!(girths.get("WC").is_some() && girths.get("WC_narrowest").is_none());
+    let missing = landmarks.missing.iter().find(|m| m.name == "WC_narrowest");
+    let why = missing.map(|m| m.why.to_string()).unwrap_or_default();
+    assert!(why.contains("nowhere narrowest"), "{why}");
+}
