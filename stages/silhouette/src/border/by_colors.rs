@@ -23,7 +23,10 @@ pub(crate) fn fine_by_colors(
     let background = costs(photo, ground);
     let fine = cut(
         photo,
-        &Costs::of_background(&background),
+        &Costs {
+            background: &background,
+            ..Costs::default()
+        },
         &Window::all(photo),
         own,
         settings,

@@ -7,8 +7,9 @@
 //! `p(I | side) = ∫ N(I; a F + (1 - a) B, σ²) da` over that side's shares.
 //! How far either side is follows from how wide borders of the photo are.
 
-use crate::border::light::Light;
+use crate::border::light::{Light, Shown};
 use crate::cut::least_cut::{Known, Window};
+use crate::cut::maxflow::STEPS;
 use crate::label::color_cut::OWN_NATS;
 use crate::likelihood::background::{FLAT, Likeness};
 use crate::likelihood::body::EVIDENT;
@@ -51,9 +52,6 @@ impl Mixtures {
         all
     }
 }
-
-/// Light on one side of a pixel, red, green and blue.
-type Shown = [f32; 3];
 
 /// How a pixel is explained as a mixture.
 struct Mixture {
@@ -140,17 +138,7 @@ impl<'a> Sides<'a> {
         if apart == 0 || !strange || (self.known)(i) != Known::Unknown {
             return None;
         }
-        let steps = [
-            (1, 0),
-            (1, 1),
-            (0, 1),
-            (-1, 1),
-            (-1, 0),
-            (-1, -1),
-            (0, -1),
-            (1, -1),
-        ];
-        let all = steps.map(|(dx, dy)| (apart * dx, apart * dy));
+        let all = STEPS.map(|(dx, dy)| (apart * dx, apart * dy));
         let all = all.into_iter().filter_map(|step| self.between(x, y, step));
         // What is itself a mixture is less far apart from the other side.
         let nats = |m: &Mixture| m.off - libm::logf(m.noises);
@@ -203,19 +191,14 @@ impl<'a> Sides<'a> {
 
     /// A pixel as a mixture of the body's light and the background's under so much of its light.
     fn explained(&self, x: usize, y: usize, body: Shown, lit: f32) -> Mixture {
-        let (photo, sigma) = (self.likeness.photo, self.likeness.noise.still);
-        let (shown, slope) = (self.light.at(photo, x, y), self.light.slope_at(photo, x, y));
+        let sigma = self.likeness.noise.still;
         let ground = self.light.at(self.likeness.expected, x, y).map(|c| c * lit);
-        // Noise is even in levels: so many of them, as they are at this pixel.
-        let step: Shown = std::array::from_fn(|c| (body[c] - ground[c]) / slope[c]);
-        let off: Shown = std::array::from_fn(|c| (shown[c] - ground[c]) / slope[c]);
-        let dot = |a: Shown, b: Shown| (0..3).map(|c| a[c] * b[c]).sum::<f32>();
-        let length = dot(step, step).max(1.0);
-        let share = (dot(off, step) / length).clamp(0.0, 1.0);
-        let rest: Shown = std::array::from_fn(|c| off[c] - share * step[c]);
-        let noises = libm::sqrtf(length) / sigma;
-        let off = dot(rest, rest) / (2.0 * sigma * sigma);
-        Mixture { share, noises, off }
+        let mixing = self.light.mixing(self.likeness.photo, [x, y], body, ground);
+        Mixture {
+            share: mixing.share,
+            noises: libm::sqrtf(mixing.apart.max(1.0)) / sigma,
+            off: mixing.off / (2.0 * sigma * sigma),
+        }
     }
 }
 

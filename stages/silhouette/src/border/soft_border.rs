@@ -5,7 +5,7 @@
 //! bright one. The background B is known, the body's light F is taken from beside it, and `a`
 //! follows. Where F and B are alike, the cut's own border is smoothed instead.
 
-use crate::border::light::Light;
+use crate::border::light::{Light, Mixing};
 use crate::likelihood::background::Noise;
 use crate::raster::as_mask;
 use crate::scene::backdrop::SHY;
@@ -31,17 +31,9 @@ pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise
             let Some((body, lit)) = around(photo, without, sides, &near, &light, x, y) else {
                 continue;
             };
-            let (shown, slope) = (light.at(photo, x, y), light.slope_at(photo, x, y));
             let ground = light.at(without, x, y).map(|c| c * lit);
-            let (mut along, mut length) = (0.0, 0.0);
-            for c in 0..3 {
-                // Noise is even in levels: so many of them, as they are at this pixel.
-                let step = (body[c] - ground[c]) / slope[c];
-                along += step * (shown[c] - ground[c]) / slope[c];
-                length += step * step;
-            }
-            let share = (along / length.max(1.0)).clamp(0.0, 1.0);
-            let trust = length / (length + (BELIEVED_NOISES * noise.still).powi(2));
+            let Mixing { share, apart, .. } = light.mixing(photo, [x, y], body, ground);
+            let trust = apart / (apart + (BELIEVED_NOISES * noise.still).powi(2));
             let mixed = trust * share * 255.0 + (1.0 - trust) * f32::from(smooth);
             *mask.at_mut(x, y) = mixed.round() as u8;
         }

@@ -42,7 +42,10 @@ pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Op
         let costs = costs(small, &ground);
         body = cut(
             small,
-            &Costs::of_background(&costs),
+            &Costs {
+                background: &costs,
+                ..Costs::default()
+            },
             &Window::all(small),
             &own,
             settings,

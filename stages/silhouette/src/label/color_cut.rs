@@ -76,8 +76,9 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
         let colors: Vec<[u8; 3]> = own.map(|(_, c)| *c).step_by(7).collect();
         let fitted = Gmm::fit(&colors, settings.clusters)?;
         let costs = Costs {
+            background: &background,
             person,
-            ..Costs::of_background(&background)
+            ..Costs::default()
         };
         body = cut(photo, &costs, &window, &fitted, &settings, &|i| known[i]);
         gmm = Some(fitted);
@@ -87,6 +88,7 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
 }
 
 /// What the pixels of a window cost, row by row; `person` and `mixed` are empty where nothing is known of them. \[nats\]
+#[derive(Default)]
 pub(crate) struct Costs<'a> {
     /// As background.
     pub(crate) background: &'a [f32],
@@ -94,18 +96,6 @@ pub(crate) struct Costs<'a> {
     pub(crate) person: &'a [f32],
     /// As background and as body, if a pixel is a mixture of both.
     pub(crate) mixed: &'a [Option<[f32; 2]>],
-}
-
-impl<'a> Costs<'a> {
-    /// Where no more is known.
-    pub(crate) fn of_background(background: &'a [f32]) -> Self {
-        let (person, mixed) = (&[] as &[_], &[] as &[_]);
-        Costs {
-            background,
-            person,
-            mixed,
-        }
-    }
 }
 
 /// Cuts a window: true is body. The result is row-major over the window, `known` goes by the photo's pixels.
@@ -118,18 +108,16 @@ pub(crate) fn cut(
     known: &dyn Fn(usize) -> Known,
 ) -> Vec<bool> {
     let Costs {
-        background, person, ..
+        background,
+        person,
+        mixed,
     } = costs;
     let colours = |i: usize, here: usize| {
         // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
-        let (mut keep, mut of_body) = (
-            f64::from(background[here]),
-            body_cost(body, photo.data[i]) - settings.thinner,
-        );
-        if let Some(Some([ground, of_both])) = costs.mixed.get(here) {
-            keep = keep.min(f64::from(*ground));
-            of_body = of_body.min(f64::from(*of_both));
-        }
+        let alone = [f32::INFINITY; 2];
+        let [ground, of_both] = mixed.get(here).copied().flatten().unwrap_or(alone);
+        let keep = f64::from(background[here].min(ground));
+        let of_body = (body_cost(body, photo.data[i]) - settings.thinner).min(f64::from(of_both));
         let (keep, of_body) = match person.get(here) {
             Some(odds) => with_person(keep, of_body, *odds),
             None => (keep, of_body),
