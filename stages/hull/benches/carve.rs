@@ -77,12 +77,7 @@ fn main() {
         .iter()
         .enumerate()
         .map(|(k, c)| (PhotoId(k as u32), mask(c)));
-    let (masks, cameras) = (
-        Arc::new(Masks {
-            views: masks.collect(),
-        }),
-        Arc::new(cameras),
-    );
+    let (masks, cameras) = (Arc::new(masks.collect::<Masks>()), Arc::new(cameras));
     for voxel_mm in [8.0, 4.0, 2.0, 1.0] {
         let input = CarveInput {
             masks: masks.clone(),

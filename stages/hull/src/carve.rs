@@ -7,7 +7,9 @@ use crate::silhouettes::{bounds, consensus};
 use crate::surface::{largest, surface};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
-use shape::{Cameras, DISSENT_DEPTH, Mask, Masks, Mesh, Silhouette, View, coherence, seen_by_half};
+use shape::{
+    Cameras, DISSENT_DEPTH, Mask, MaskRuns, Masks, Mesh, Silhouette, View, coherence, seen_by_half,
+};
 use stage::{Cancelled, Ctx, Message, Stage, Stop, message};
 use std::sync::Arc;
 
@@ -108,7 +110,7 @@ impl Stage for Carve {
 
     /// The distances of all silhouettes, and the lattice over a standing body with its arms out.
     fn memory(p: &CarveParams, input: &CarveInput) -> u64 {
-        let pixels = input.masks.views.iter().map(|(_, mask)| mask.data.len());
+        let pixels = input.masks.views.iter().map(|(_, mask)| mask.count());
         let lattice = need_mb(BODY_BOX_MM2, p.voxel_mm).min(p.memory_mb);
         pixels.sum::<usize>() as u64 * 4 + (lattice * 1e6) as u64
     }
@@ -125,7 +127,7 @@ impl Stage for Carve {
             .par_iter()
             .map(|(_, mask, view)| {
                 ctx.check()?;
-                Ok(Silhouette::of(mask, &view.camera))
+                Ok(Silhouette::of(&mask.pixels(), &view.camera))
             })
             .collect::<Result<_, Cancelled>>()?;
         let dissent = ((1.0 - p.consensus) * prepared.len() as f64 + 1e-9).floor() as usize;
@@ -211,12 +213,12 @@ fn warn_of_contradicted(names: &[&str], shares: &[f64], ctx: &Ctx<'_>) {
 }
 
 /// Whether a mask can be one of a subject before a background.
-fn sound(mask: &Mask, view: &View) -> Result<(), CarveError> {
-    let share = mask.area() as f64 / mask.data.len().max(1) as f64;
+fn sound(mask: &MaskRuns, view: &View) -> Result<(), CarveError> {
+    let share = mask.share();
     let lens = &view.camera.lens;
     let what = if share < 1e-4 {
         message!(EMPTY)
-    } else if share > 0.95 || framed(mask) > 0.9 {
+    } else if share > 0.95 || framed(&mask.pixels()) > 0.9 {
         message!(FULL)
     } else if (mask.width as u32, mask.height as u32) != (lens.width, lens.height) {
         message!(OTHER_SIZE)

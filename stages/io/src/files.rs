@@ -132,7 +132,7 @@ pub fn files(
             Ok(masks
                 .views
                 .iter()
-                .map(|(id, mask)| (name(id), gray_to_png(mask)))
+                .map(|(id, mask)| (name(id), gray_to_png(&mask.pixels())))
                 .collect())
         }
         _ => Err(wrong().into()),

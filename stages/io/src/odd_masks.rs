@@ -1,6 +1,6 @@
 //! Masks of a turn that look wrong beside the other masks.
 
-use shape::Mask;
+use shape::{Mask, MaskRuns};
 
 /// A border that shows so much more body than this share of its length has cut it off. By hand: not on record.
 const CUT_OFF_SHARE: f64 = 0.01;
@@ -13,13 +13,10 @@ const PART_SHARE: f64 = 0.01;
 ///
 /// A body's outline from one side is that from the other mirrored, and changes slowly: an area that
 /// neither the opposite mask nor the two beside it lead one to expect is odd.
-pub(crate) fn odd(masks: &[Option<&Mask>]) -> Vec<Vec<String>> {
-    let areas: Vec<Option<f64>> = masks
-        .iter()
-        .map(|m| m.map(|m| m.area() as f64 / m.data.len().max(1) as f64))
-        .collect();
+pub(crate) fn odd(masks: &[Option<&MaskRuns>]) -> Vec<Vec<String>> {
+    let areas: Vec<Option<f64>> = masks.iter().map(|m| m.map(MaskRuns::share)).collect();
     let n = masks.len();
-    let one = |(k, mask): (usize, &Option<&Mask>)| {
+    let one = |(k, mask): (usize, &Option<&MaskRuns>)| {
         let Some(mask) = mask else {
             return vec!["no mask".to_owned()];
         };
@@ -30,8 +27,9 @@ pub(crate) fn odd(masks: &[Option<&Mask>]) -> Vec<Vec<String>> {
         if area > 0.95 {
             return vec!["full".to_owned()];
         }
-        let mut odd = cut_off(mask);
-        let parts = parts(mask);
+        let mask = mask.pixels();
+        let mut odd = cut_off(&mask);
+        let parts = parts(&mask);
         if parts > 1 {
             odd.push(format!("{parts} parts"));
         }
@@ -108,7 +106,8 @@ mod tests {
     }
 
     fn odd_of(masks: &[Mask]) -> Vec<Vec<String>> {
-        odd(&masks.iter().map(Some).collect::<Vec<_>>())
+        let kept: Vec<MaskRuns> = masks.iter().map(MaskRuns::from).collect();
+        odd(&kept.iter().map(Some).collect::<Vec<_>>())
     }
 
     #[test]

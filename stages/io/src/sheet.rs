@@ -2,7 +2,7 @@
 
 use crate::lettering::{text_size, write_on};
 use crate::odd_masks::odd;
-use shape::{Mask, Masks, PhotoError, Photos, Rgb};
+use shape::{Mask, MaskRuns, Masks, PhotoError, Photos, Rgb};
 
 /// Width of a photo on the sheet (structural: layout). \[px\]
 const TILE: usize = 320;
@@ -25,9 +25,9 @@ const LINE: [u8; 3] = [255, 64, 32];
 /// A photo that cannot be decoded.
 pub fn masks_to_sheet(masks: &Masks, photos: &Photos) -> Result<Rgb, PhotoError> {
     let mut tiles = Vec::new();
-    let all: Vec<Option<&Mask>> = photos.iter().map(|(id, _)| masks.views.get(id)).collect();
+    let all: Vec<Option<&MaskRuns>> = photos.iter().map(|(id, _)| masks.views.get(id)).collect();
     for (((_, photo), mask), odd) in photos.iter().zip(&all).zip(odd(&all)) {
-        let mut tile = mask_on_photo(&photo.decode()?, *mask, TILE);
+        let mut tile = mask_on_photo(&photo.decode()?, mask.map(MaskRuns::pixels).as_ref(), TILE);
         if !odd.is_empty() {
             framed(&mut tile);
         }
@@ -111,9 +111,7 @@ mod tests {
         };
         let mut mask = Mask::filled(640, 320, 0);
         (0..640 * 160).for_each(|i| mask.data[i] = 255);
-        let masks = Masks {
-            views: [(PhotoId(6), mask)].into_iter().collect(),
-        };
+        let masks = Masks::from_iter([(PhotoId(6), mask)]);
         let sheet = masks_to_sheet(&masks, &photos).unwrap();
         assert_eq!((sheet.width, sheet.height), (6 * 320, 2 * 160));
         assert_eq!(sheet.at(90, 90), [30, 40, 50], "a photo without a mask");

@@ -97,7 +97,7 @@ fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, Message)> {
     let areas: Vec<(PhotoId, f64)> = cameras
         .views
         .join(&masks.views)
-        .map(|(id, _, mask)| (id, mask.area() as f64 / mask.data.len().max(1) as f64))
+        .map(|(id, _, mask)| (id, mask.share()))
         .collect();
     let usual = shape::upper_median(areas.iter().map(|a| a.1))?;
     let none = areas.iter().filter(|(_, area)| *area < EMPTY_SHARE * usual);

@@ -2,7 +2,7 @@
 
 use crate::regions::{Disagreement, disagreement};
 use rayon::prelude::*;
-use shape::{BodyPart, LostParts, Masks, People, PhotoId, Photos, some_photos};
+use shape::{BodyPart, LostParts, MaskRuns, Masks, People, PhotoId, Photos, some_photos};
 use stage::{Ctx, Message, Stage, Stop, Template, message};
 use std::sync::Arc;
 
@@ -79,9 +79,9 @@ impl Stage for Alarm {
 
     fn run(p: &AlarmParams, input: AlarmInput, ctx: &Ctx<'_>) -> Result<LostParts, Stop> {
         let views = input.masks.views.as_slice();
-        let one = |(id, mask): &(PhotoId, shape::Mask)| {
+        let one = |(id, mask): &(PhotoId, MaskRuns)| {
             let found = input.people.subject(*id)?;
-            Some((*id, disagreement(found, mask)))
+            Some((*id, disagreement(found, &mask.pixels())))
         };
         let seen: Vec<_> = views.par_iter().filter_map(one).collect();
         ctx.check()?;

@@ -7,7 +7,9 @@ use crate::overlay::{self, Shown};
 use crate::page::{self, Content};
 use crate::paint::Paint;
 use rayon::prelude::*;
-use shape::{Cameras, Document, Girths, Landmarks, Masks, Mesh, Photo, PhotoId, Photos, Textured};
+use shape::{
+    Cameras, Document, Girths, Landmarks, MaskRuns, Masks, Mesh, Photo, PhotoId, Photos, Textured,
+};
 use stage::{Ctx, Stage, Stop, message};
 use std::sync::Arc;
 
@@ -187,13 +189,14 @@ fn figures(
         let (id, photo) = (PhotoId(k as u32), &photos.photos[k]);
         let size = [photo.width as usize, photo.height as usize];
         let factor = overlay::factor(size[1], most_px);
+        let mask = masks.views.get(id).map(MaskRuns::pixels);
         let mut shown = Shown {
             index: k,
             name: &photo.name,
             size,
             factor,
             photo: None,
-            mask: masks.views.get(id),
+            mask: mask.as_ref(),
             camera: cameras.views.get(id).map(|view| &view.camera),
         };
         if p.photos && !(p.blur_face && faces[k].is_empty()) {

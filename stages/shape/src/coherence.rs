@@ -35,12 +35,12 @@ impl Coherence {
 /// Holds all outlines against each other, in the space that at least half of the photos look into. `None` for fewer than
 /// three photos with both an outline and a camera, and where nothing is body on nearly all of them.
 pub fn coherence(cameras: &Cameras, masks: &Masks) -> Option<Coherence> {
-    let views: Vec<(PhotoId, Camera, &Mask)> = cameras
+    let views: Vec<(PhotoId, Camera, Mask)> = cameras
         .views
         .join(&masks.views)
         .map(|(id, view, mask)| {
             let size = (mask.width as u32, mask.height as u32);
-            (id, view.camera.resized(size.0, size.1), mask)
+            (id, view.camera.resized(size.0, size.1), mask.pixels())
         })
         .collect();
     let space = seen_by_half(cameras).filter(|_| views.len() >= 3)?;
@@ -105,7 +105,7 @@ impl Layer {
     }
 
     /// Asks every photo whether a point is body; one that does not look there does not count.
-    fn ask(&mut self, views: &[(PhotoId, Camera, &Mask)], point: &Point3<f64>, few: usize) {
+    fn ask(&mut self, views: &[(PhotoId, Camera, Mask)], point: &Point3<f64>, few: usize) {
         let mut against: Vec<usize> = Vec::new();
         let mut asked = 0;
         for (i, (_, camera, mask)) in views.iter().enumerate() {
@@ -149,8 +149,8 @@ mod tests {
         for y in 30..130 {
             (45..75).for_each(|x| *mask.at_mut(x, y) = 255);
         }
-        let masks = (0..12).map(|k| (PhotoId(k), mask.clone())).collect();
-        (cameras, Masks { views: masks })
+        let masks = (0..12).map(|k| (PhotoId(k), &mask));
+        (cameras, masks.collect())
     }
 
     #[test]
@@ -161,8 +161,10 @@ mod tests {
         // A post of 0.3 m across.
         proof::near(whole.shared * 1e-6, 71.0, 6.0);
         // Photo 4 lost the lower half of its outline.
-        let half = masks.views.get_mut(PhotoId(4)).unwrap();
+        let kept = masks.views.get_mut(PhotoId(4)).unwrap();
+        let mut half = kept.pixels();
         half.data[120 * 80..].fill(0);
+        *kept = half.into();
         let cut = coherence(&cameras, &masks).unwrap();
         let cutting: Vec<_> = cut.contradicting().collect();
         assert_eq!(cutting.len(), 1, "{:?}", cut.cut);

@@ -1,7 +1,6 @@
 //! Silhouettes: how much of each pixel the body covers.
 
-use crate::runs::{pixels, runs};
-use crate::{ByPhoto, Camera, Image, PhotoId};
+use crate::{ByPhoto, Camera, Image, MaskRuns, PhotoId};
 use nalgebra::{Point2, Point3};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 use std::ops::Range;
@@ -52,7 +51,16 @@ impl Mask {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Masks {
     /// The photos that have one.
-    pub views: ByPhoto<Mask>,
+    pub views: ByPhoto<MaskRuns>,
+}
+
+impl<M: Into<MaskRuns>> FromIterator<(PhotoId, M)> for Masks {
+    fn from_iter<I: IntoIterator<Item = (PhotoId, M)>>(masks: I) -> Self {
+        let masks = masks.into_iter().map(|(id, mask)| (id, mask.into()));
+        Masks {
+            views: masks.collect(),
+        }
+    }
 }
 
 impl Artifact for Masks {
@@ -67,33 +75,18 @@ impl Artifact for Masks {
             .collect();
         to.meta(&sizes);
         for (id, mask) in self.views.iter() {
-            to.section(format!("mask {}", id.0), &runs(&mask.data));
+            to.section(format!("mask {}", id.0), mask.bytes());
         }
     }
 
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
         let sizes: Vec<(u32, u32, u32)> = from.meta()?;
         let mask = |(id, width, height): (u32, u32, u32)| {
-            let (width, height) = (width as usize, height as usize);
-            let data = pixels(
-                &from.section(&format!("mask {id}"))?,
-                width.saturating_mul(height),
-            )?;
-            Ok((
-                PhotoId(id),
-                Image {
-                    width,
-                    height,
-                    data,
-                },
-            ))
+            let runs = from.section(&format!("mask {id}"))?;
+            let size = [width, height].map(|n| n as usize);
+            Ok((PhotoId(id), MaskRuns::stored(size, runs)?))
         };
-        Ok(Masks {
-            views: sizes
-                .into_iter()
-                .map(mask)
-                .collect::<Result<_, Corrupt>>()?,
-        })
+        sizes.into_iter().map(mask).collect()
     }
 }
 
@@ -107,12 +100,11 @@ mod tests {
         for (i, c) in mask.data.iter_mut().enumerate() {
             *c = if i % 7 < 3 { (i % 256) as u8 } else { 255 };
         }
-        let masks = Masks {
-            views: [(PhotoId(3), mask)].into_iter().collect(),
-        };
-        assert_eq!(
-            stage::from_bytes::<Masks>(&stage::to_bytes(&masks)).unwrap(),
-            masks
-        );
+        let masks = Masks::from_iter([(PhotoId(3), &mask)]);
+        let back = stage::from_bytes::<Masks>(&stage::to_bytes(&masks)).unwrap();
+        assert_eq!(back, masks);
+        let runs = back.views.get(PhotoId(3)).unwrap();
+        assert_eq!(runs.pixels(), mask);
+        assert_eq!(runs.share(), mask.area() as f64 / 3500.0);
     }
 }

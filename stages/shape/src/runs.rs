@@ -15,25 +15,33 @@ pub(crate) fn runs(pixels: &[u8]) -> Vec<u8> {
     runs
 }
 
-/// Runs as pixels; never more than `count` of them.
-pub(crate) fn pixels(runs: &[u8], count: usize) -> Result<Vec<u8>, Corrupt> {
-    let length = |run: &[u8]| u32::from_le_bytes([run[1], run[2], run[3], 0]) as usize;
+/// How many pixels a run is.
+pub(crate) fn run_length(run: &[u8; 4]) -> usize {
+    u32::from_le_bytes([run[1], run[2], run[3], 0]) as usize
+}
+
+/// The runs of so many pixels, one by one.
+///
+/// # Errors
+///
+/// They are of more pixels, or of fewer.
+pub(crate) fn checked(runs: &[u8], count: usize) -> Result<&[[u8; 4]], Corrupt> {
     let (runs, []) = runs.as_chunks::<4>() else {
         return Err(Corrupt("half a run".into()));
     };
-    match runs
-        .iter()
-        .map(|run| length(run))
-        .sum::<usize>()
-        .cmp(&count)
-    {
-        Ordering::Greater => return Err(Corrupt("a mask longer than its size".into())),
-        Ordering::Less => return Err(Corrupt("a mask shorter than its size".into())),
-        Ordering::Equal => {}
+    match runs.iter().map(run_length).sum::<usize>().cmp(&count) {
+        Ordering::Greater => Err(Corrupt("a mask longer than its size".into())),
+        Ordering::Less => Err(Corrupt("a mask shorter than its size".into())),
+        Ordering::Equal => Ok(runs),
     }
+}
+
+/// Runs as pixels; never more than `count` of them.
+pub(crate) fn pixels(runs: &[u8], count: usize) -> Result<Vec<u8>, Corrupt> {
+    let runs = checked(runs, count)?;
     let mut pixels = Vec::with_capacity(count);
     for run in runs {
-        pixels.resize(pixels.len() + length(run), run[0]);
+        pixels.resize(pixels.len() + run_length(run), run[0]);
     }
     Ok(pixels)
 }

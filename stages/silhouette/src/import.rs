@@ -114,9 +114,7 @@ impl Stage for Import {
             return Err(strangers.into());
         }
         let masks = upright(read, p.body)?;
-        Ok(Masks {
-            views: masks.into_iter().collect(),
-        })
+        Ok(masks.into_iter().collect())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::dice::Dice;
 use rayon::prelude::*;
-use shape::{Mask, Masks, PhotoId};
+use shape::{Mask, MaskRuns, Masks, PhotoId};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -46,16 +46,14 @@ impl Stage for JitterMasks {
 
     fn run(p: &JitterParams, input: JitterInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
         let steps = ctx.steps("masks", input.masks.views.len());
-        let one = |(id, mask): &(PhotoId, Mask)| -> Result<(PhotoId, Mask), Stop> {
-            let moved = moved(mask, p, id.0);
+        let one = |(id, mask): &(PhotoId, MaskRuns)| -> Result<(PhotoId, MaskRuns), Stop> {
+            let moved = moved(&mask.pixels(), p, id.0);
             steps.tick()?;
-            Ok((*id, moved))
+            Ok((*id, moved.into()))
         };
         let masks = input.masks.views.as_slice().par_iter().map(one);
         let masks: Vec<_> = masks.collect::<Result<_, _>>()?;
-        Ok(Masks {
-            views: masks.into_iter().collect(),
-        })
+        Ok(masks.into_iter().collect())
     }
 }
 

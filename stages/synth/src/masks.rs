@@ -2,7 +2,7 @@
 
 use crate::raster::cast;
 use rayon::prelude::*;
-use shape::{Cameras, Mask, Masks, Mesh, PhotoId, Sway, View};
+use shape::{Cameras, Mask, MaskRuns, Masks, Mesh, PhotoId, Sway, View};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -43,7 +43,7 @@ impl Stage for TrueMasks {
     fn run(p: &MaskParams, input: MaskInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
         let normals = input.mesh.normals();
         let steps = ctx.steps("masks", input.cameras.views.len());
-        let mask = |(id, view): &(PhotoId, View)| -> Result<(PhotoId, Mask), Stop> {
+        let mask = |(id, view): &(PhotoId, View)| -> Result<(PhotoId, MaskRuns), Stop> {
             let lens = &view.camera.lens;
             let mut mask = Mask::filled(lens.width as usize, lens.height as usize, 0);
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
@@ -59,12 +59,10 @@ impl Stage for TrueMasks {
                 },
             );
             steps.tick()?;
-            Ok((*id, mask))
+            Ok((*id, mask.into()))
         };
         let masks = input.cameras.views.as_slice().par_iter().map(mask);
         let masks: Vec<_> = masks.collect::<Result<_, _>>()?;
-        Ok(Masks {
-            views: masks.into_iter().collect(),
-        })
+        Ok(masks.into_iter().collect())
     }
 }

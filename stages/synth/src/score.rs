@@ -101,7 +101,7 @@ impl Stage for Score {
             let overlaps: Vec<f64> = found
                 .views
                 .join(&truth.views)
-                .map(|(_, a, b)| overlap(a, b))
+                .map(|(_, a, b)| overlap(&a.pixels(), &b.pixels()))
                 .collect();
             let mean = overlaps.iter().sum::<f64>() / overlaps.len().max(1) as f64;
             let worst = overlaps.iter().copied().fold(1.0, f64::min);

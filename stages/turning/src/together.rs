@@ -11,7 +11,7 @@ use crate::reported::Found;
 use crate::trunk::Trunk;
 use nalgebra::{Point2, Vector2};
 use rayon::prelude::*;
-use shape::{Intrinsics, Mask, Observation, PhotoId};
+use shape::{Intrinsics, Mask, MaskRuns, Observation, PhotoId};
 use stage::Cancelled;
 
 /// Whether to go on: asked for each photo, and after each round.
@@ -38,7 +38,7 @@ pub(crate) fn by_outlines(
         let (w, h) = (lens.width as usize, lens.height as usize);
         let coarse = || input.people.subject(*id).map(|found| found.mask(w, h));
         let mask = match &input.masks {
-            Some(masks) => masks.views.get(*id).cloned(),
+            Some(masks) => masks.views.get(*id).map(MaskRuns::pixels),
             None => coarse(),
         };
         let mask = mask.unwrap_or_else(|| Mask::filled(w, h, 0));

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use serde_json::Value;
-use shape::{Camera, Cameras, Intrinsics, Mask, Masks, Photo, Photos, Pose};
+use shape::{Camera, Cameras, Intrinsics, Mask, MaskRuns, Masks, Photo, Photos, Pose};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -32,7 +32,7 @@ pub(super) fn of_run(photos: &Photos, masks: Option<&Masks>, cameras: Option<&Ca
     for (id, photo) in photos.iter() {
         let view = View {
             photo: Some(photo.clone()),
-            mask: masks.and_then(|m| m.views.get(id)).cloned(),
+            mask: masks.and_then(|m| m.views.get(id)).map(MaskRuns::pixels),
             camera: cameras.and_then(|c| c.views.get(id)).map(|v| v.camera),
         };
         views.insert(stem(&photo.name), view);

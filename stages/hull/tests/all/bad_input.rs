@@ -23,10 +23,8 @@ fn turn(away: bool) -> (Masks, Cameras) {
     for y in 20..90 {
         (30..50).for_each(|x| *mask.at_mut(x, y) = 255);
     }
-    let masks = Masks {
-        views: (0..8).map(|k| (PhotoId(k), mask.clone())).collect(),
-    };
-    (masks, cameras)
+    let masks = (0..8).map(|k| (PhotoId(k), &mask));
+    (masks.collect(), cameras)
 }
 
 /// The error for a turn whose mask 3 is another one.
@@ -49,14 +47,8 @@ fn refusal(masks: Masks, cameras: Cameras, voxel_mm: f64) -> String {
 
 /// The masks of a turn, that of photo 3 replaced.
 fn with(mask: Mask) -> (Masks, Cameras) {
-    let (masks, cameras) = turn(false);
-    let views = masks.views.iter().map(|(id, m)| {
-        let m = if id.0 == 3 { mask.clone() } else { m.clone() };
-        (id, m)
-    });
-    let masks = Masks {
-        views: views.collect(),
-    };
+    let (mut masks, cameras) = turn(false);
+    *masks.views.get_mut(PhotoId(3)).unwrap() = mask.into();
     (masks, cameras)
 }
 
@@ -92,7 +84,8 @@ fn masks_that_are_empty_full_inverted_or_of_another_size_are_named() {
 #[test]
 fn an_inverted_mask_is_named_however_large_the_body_is() {
     let (good, _) = turn(false);
-    let inverted = good.views.get(PhotoId(3)).unwrap().map(|c| 255 - c);
+    let inverted = good.views.get(PhotoId(3)).unwrap();
+    let inverted = inverted.pixels().map(|c| 255 - c);
     let (masks, cameras) = with(inverted);
     let error = refusal(masks, cameras, 10.0);
     assert!(
@@ -105,10 +98,8 @@ fn an_inverted_mask_is_named_however_large_the_body_is() {
 fn fewer_than_three_masks_with_a_camera_are_counted() {
     let (masks, cameras) = turn(false);
     let few = masks.views.iter().filter(|(id, _)| id.0 < 2);
-    let few = Masks {
-        views: few.map(|(id, m)| (id, m.clone())).collect(),
-    };
-    let error = refusal(few, cameras, 10.0);
+    let few = few.map(|(id, m)| (id, m.clone()));
+    let error = refusal(few.collect(), cameras, 10.0);
     assert!(
         error.contains("only 2 photos") && error.contains("at least 3"),
         "{error}"
@@ -119,11 +110,9 @@ fn fewer_than_three_masks_with_a_camera_are_counted() {
 fn missing_masks_of_some_views_are_passed_over() {
     let (masks, cameras) = turn(false);
     let some = masks.views.iter().filter(|(id, _)| id.0 != 3);
-    let some = Masks {
-        views: some.map(|(id, m)| (id, m.clone())).collect(),
-    };
+    let some = some.map(|(id, m)| (id, m.clone()));
     let input = CarveInput {
-        masks: Arc::new(some),
+        masks: Arc::new(some.collect()),
         cameras: Arc::new(cameras),
     };
     let params = CarveParams {

@@ -2,7 +2,7 @@
 
 use hull::{Carve, CarveInput, CarveParams};
 use nalgebra::{Point2, Point3, Vector3};
-use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Scale, View};
+use shape::{Camera, Cameras, Intrinsics, Mask, PhotoId, Scale, View};
 use stage::{Ctx, Host, Metric, Stage};
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex};
@@ -80,9 +80,7 @@ fn carved(
         mask
     };
     let input = CarveInput {
-        masks: Arc::new(Masks {
-            views: photos.clone().map(|k| (PhotoId(k), mask(k))).collect(),
-        }),
+        masks: Arc::new(photos.clone().map(|k| (PhotoId(k), mask(k))).collect()),
         cameras: Arc::new(Cameras::of(
             photos.map(|k| (PhotoId(k), view(k))),
             Scale::Given,

@@ -3,7 +3,7 @@
 
 use hull::{Carve, CarveInput, CarveParams};
 use nalgebra::{Point2, Point3};
-use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Scale, View};
+use shape::{Camera, Cameras, Intrinsics, Mask, PhotoId, Scale, View};
 use stage::{Ctx, Stage};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -49,11 +49,9 @@ fn carved(views: usize, consensus: f64, edit: impl Fn(usize, &mut Mask)) -> shap
         edit(k, &mut mask);
         (id(k), mask)
     };
-    let masks = Masks {
-        views: all.iter().enumerate().map(mask).collect(),
-    };
+    let masks = all.iter().enumerate().map(mask);
     let input = CarveInput {
-        masks: Arc::new(masks),
+        masks: Arc::new(masks.collect()),
         cameras: Arc::new(cameras),
     };
     let params = CarveParams {

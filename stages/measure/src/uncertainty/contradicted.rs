@@ -33,7 +33,7 @@ impl Outlines {
         (pairs.len() >= MIN_DISSENT_PHOTOS).then(|| Outlines {
             views: pairs
                 .par_iter()
-                .map(|(_, view, mask)| Silhouette::of(mask, &view.camera))
+                .map(|(_, view, mask)| Silhouette::of(&mask.pixels(), &view.camera))
                 .collect(),
             margin: DISSENT_DEPTH * stature,
         })
@@ -161,10 +161,8 @@ mod tests {
         };
         let view = |k: u32| View::of(format!("{k:04}.jpg"), camera(k));
         let cameras = Cameras::of((0..photos).map(|k| (PhotoId(k), view(k))), Scale::Given);
-        let masks = Masks {
-            views: (0..photos).map(|k| (PhotoId(k), mask(k))).collect(),
-        };
-        (cameras, masks)
+        let masks = (0..photos).map(|k| (PhotoId(k), mask(k)));
+        (cameras, masks.collect())
     }
 
     /// The post's section, less what one photo along x cuts from its left: y below a line.

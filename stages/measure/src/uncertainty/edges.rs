@@ -3,7 +3,9 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 use rayon::prelude::*;
-use shape::{Camera, Cameras, Mask, Masks, Outline, PhotoId, Photos, Place, Plane, Sigmas, View};
+use shape::{
+    Camera, Cameras, MaskRuns, Masks, Outline, PhotoId, Photos, Place, Plane, Sigmas, View,
+};
 use std::f64::consts::TAU;
 
 /// From this share of a tape on it is noted that outlines do not confirm it. By hand: not on record; it decides a note
@@ -47,8 +49,8 @@ impl Edges {
     /// Of the photos whose sizes masks have. \[mm\]
     pub(crate) fn of(cameras: &Cameras, masks: &Masks, photos: &Photos, stature: f64) -> Edges {
         let pairs: Vec<_> = cameras.views.join(&masks.views).collect();
-        let one = |(id, view, mask): &(PhotoId, &View, &Mask)| {
-            let outline = Outline::of(&photos.get(*id)?.decode().ok()?, mask)?;
+        let one = |(id, view, mask): &(PhotoId, &View, &MaskRuns)| {
+            let outline = Outline::of(&photos.get(*id)?.decode().ok()?, &mask.pixels())?;
             let camera = view
                 .camera
                 .resized(outline.size[0] as u32, outline.size[1] as u32);
@@ -103,7 +105,7 @@ impl Edges {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shape::{Intrinsics, Rgb};
+    use shape::{Intrinsics, Mask, Rgb};
 
     /// A post of 150 mm before a wall, which on its left has the post's colour: photos all around, and the post's section.
     fn post(alike: bool) -> (Edges, Vec<Point3<f64>>) {

@@ -50,7 +50,10 @@ pub(crate) fn by_silhouettes(
         .collect();
     let all: Vec<Vec<Tangent>> = views
         .par_iter()
-        .map(|(view, mask)| tangents(&taken.contour, &beside, origin, &view.camera, mask))
+        .map(|(view, mask)| {
+            let mask = mask.pixels();
+            tangents(&taken.contour, &beside, origin, &view.camera, &mask)
+        })
         .collect();
     let all = all.concat();
     if let Some(support) = support_girth(&all) {

@@ -39,16 +39,21 @@ fn masks(mesh: &Mesh, cameras: &Cameras) -> Masks {
         }
         (id, mask)
     };
-    Masks {
-        views: cameras.views.iter().map(seen).collect(),
-    }
+    cameras.views.iter().map(seen).collect()
+}
+
+/// One photo's mask, painted over.
+fn painted(masks: &mut Masks, photo: u32, paint: impl Fn(&mut Mask)) {
+    let kept = masks.views.get_mut(PhotoId(photo)).unwrap();
+    let mut mask = kept.pixels();
+    paint(&mut mask);
+    *kept = mask.into();
 }
 
 /// Without what is below the hips of every or of one photo.
 fn halved(masks: &mut Masks, one: Option<u32>) {
     for k in (0..PHOTOS).filter(|k| one.is_none_or(|one| one == *k)) {
-        let mask = masks.views.get_mut(PhotoId(k)).unwrap();
-        mask.data[200 * 140..].fill(0);
+        painted(masks, k, |mask| mask.data[200 * 140..].fill(0));
     }
 }
 
@@ -127,9 +132,10 @@ fn a_refused_body_names_its_cause_once() {
     );
 
     let mut empty = whole.clone();
-    let mask = empty.views.get_mut(PhotoId(7)).unwrap();
-    mask.data.fill(0);
-    (0..20).for_each(|x| mask.data[200 * 100 + 90 + x] = 255);
+    painted(&mut empty, 7, |mask| {
+        mask.data.fill(0);
+        mask.data[200 * 100 + 90..][..20].fill(255);
+    });
     let cut = reported(measured(&upper, empty, none()));
     assert_eq!(cut.reason, Refusal::EmptyPhoto);
     assert!(cut.why.contains("0007.jpg"), "{}", cut.why);
@@ -137,7 +143,9 @@ fn a_refused_body_names_its_cause_once() {
     // Every outline is cut through at the hips: two pieces, of which one was kept.
     let mut through = whole.clone();
     for k in 0..PHOTOS {
-        through.views.get_mut(PhotoId(k)).unwrap().data[200 * 138..200 * 142].fill(0);
+        painted(&mut through, k, |mask| {
+            mask.data[200 * 138..200 * 142].fill(0)
+        });
     }
     let apart = reported(measured(&upper, through, none()));
     assert_eq!(apart.reason, Refusal::Incomplete);

@@ -4,7 +4,7 @@ use crate::made;
 
 use made::{Given, built, meshed};
 use proof::Dice;
-use shape::{Girth, Masks, Mesh, NINE_IN_TEN, Solid, SolidPart};
+use shape::{Girth, Mesh, NINE_IN_TEN, Solid, SolidPart};
 use std::sync::Arc;
 use synth::{contour, length, taut};
 
@@ -53,11 +53,7 @@ fn body(tenths: u32) -> (u32, Solid, Given) {
 /// What is measured, each with the true tape of its plane.
 fn measured((tenths, solid, body): &(u32, Solid, Given), carved: bool) -> Vec<(Girth, f64)> {
     let given = Given {
-        masks: carved.then(|| {
-            Arc::new(Masks {
-                views: std::iter::empty().collect(),
-            })
-        }),
+        masks: carved.then(Arc::default),
         mesh: body.mesh.clone(),
         found: body.features().into(),
         ..Given::default()

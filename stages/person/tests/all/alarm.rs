@@ -1,7 +1,7 @@
 //! Masks that lose a part of the body are named by photo and region; those that agree are passed over in silence.
 
 use person::{Alarm, AlarmInput, AlarmParams, FindPeople, FindPeopleInput, FindPeopleParams};
-use shape::{BodyPart, LostParts, Masks, Photo, PhotoId, Photos};
+use shape::{BodyPart, LostParts, Mask, Masks, Photo, PhotoId, Photos};
 use stage::{Ctx, Host, Stage};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -17,6 +17,14 @@ impl Host for Heard {
 
 fn sample() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples/mannequin")
+}
+
+/// One photo's mask, painted over.
+fn painted(masks: &mut Masks, photo: u32, paint: impl FnOnce(&mut Mask)) {
+    let kept = masks.views.get_mut(PhotoId(photo)).unwrap();
+    let mut mask = kept.pixels();
+    paint(&mut mask);
+    *kept = mask.into();
 }
 
 /// Four photos of the sample.
@@ -44,9 +52,7 @@ fn masks_without_legs_or_head_are_named_by_photo() {
     let people = FindPeople::run(&FindPeopleParams {}, input, &Ctx::alone()).unwrap();
     let people = Arc::new(people);
     let own = |id| (id, people.subject(id).unwrap().mask(800, 1200));
-    let masks = Masks {
-        views: (0..4).map(PhotoId).map(own).collect(),
-    };
+    let masks: Masks = (0..4).map(PhotoId).map(own).collect();
     let reported = |masks: &Masks| {
         let heard = Heard::default();
         let nothing = stage::hash(b"");
@@ -74,18 +80,17 @@ fn masks_without_legs_or_head_are_named_by_photo() {
         });
         let reach = wide * found.pixel_px() / 2.0;
         let [columns, rows] = middle.map(|v| (v - reach) as usize..(v + reach) as usize);
-        let mask = masks.views.get_mut(PhotoId(2)).unwrap();
-        rows.for_each(|y| mask.data[y * 800..][columns.clone()].fill(0));
+        painted(&mut masks, 2, |mask| {
+            rows.for_each(|y| mask.data[y * 800..][columns.clone()].fill(0));
+        });
         reported(&masks).0
     };
     assert_eq!(holed(4.0), reported(&masks).0);
     assert_eq!(holed(12.0).of(BodyPart::Trunk), [PhotoId(2)]);
     // Nothing below the hips on one; the upper half on another.
     let mut broken = masks.clone();
-    let legs = broken.views.get_mut(PhotoId(1)).unwrap();
-    legs.data[700 * 800..].fill(0);
-    let upper = broken.views.get_mut(PhotoId(3)).unwrap();
-    upper.data[..330 * 800].fill(0);
+    painted(&mut broken, 1, |legs| legs.data[700 * 800..].fill(0));
+    painted(&mut broken, 3, |upper| upper.data[..330 * 800].fill(0));
     let (parts, reported) = reported(&broken);
     assert_eq!(parts.of(BodyPart::Legs), [PhotoId(1)]);
     assert_eq!(parts.of(BodyPart::Head), [PhotoId(3)]);

@@ -177,9 +177,8 @@ fn unscaled(input: &FrameInput, ground: f64, ctx: &Ctx<'_>) -> Cameras {
 
 /// Where crown and soles are, from silhouettes.
 fn body(cameras: &Cameras, masks: Option<&Masks>) -> Option<Stature> {
-    let views: Vec<_> = cameras.views.join(&masks?.views).collect();
-    let views: Vec<_> = views.iter().map(|(_, v, m)| (&v.camera, *m)).collect();
-    stature(&views)
+    let views = cameras.views.join(&masks?.views);
+    stature(views.map(|(_, view, mask)| (view.camera, mask.pixels())))
 }
 
 /// Tells how far another length disagrees with the one that is believed; whether more than both can err.

@@ -39,8 +39,8 @@ struct Extent {
 /// the mean distance of that from the axis is half the feet's mean width (Cauchy), which the
 /// silhouettes show sideways. `None` for fewer than three silhouettes, and for a camera that does
 /// not look down on the feet.
-pub fn stature(views: &[(&Camera, &Mask)]) -> Option<Stature> {
-    let all: Vec<Extent> = views.iter().filter_map(|(c, m)| extent(c, m)).collect();
+pub fn stature(views: impl Iterator<Item = (Camera, Mask)>) -> Option<Stature> {
+    let all: Vec<Extent> = views.filter_map(|(c, m)| extent(&c, &m)).collect();
     if all.len() < 3 {
         return None;
     }
@@ -148,12 +148,8 @@ mod tests {
             .into_iter()
             .map(|pose| Camera { lens, pose })
             .collect();
-        let masks: Vec<Mask> = cameras
-            .iter()
-            .map(|c| seen(c, 110.0, -900.0, 700.0))
-            .collect();
-        let views: Vec<_> = cameras.iter().zip(&masks).collect();
-        let found = stature(&views).unwrap();
+        let view = |c: Camera| (c, seen(&c, 110.0, -900.0, 700.0));
+        let found = stature(cameras.into_iter().map(view)).unwrap();
         proof::near(found.ground, -900.0, 12.0);
         proof::near(found.crown, 700.0, 25.0);
     }

@@ -2,9 +2,7 @@
 
 use nalgebra::{Point3, Rotation3, Vector3};
 use pose::{Frame, FrameInput, FrameParams, Ring};
-use shape::{
-    Camera, Cameras, Intrinsics, Mask, Masks, Photo, PhotoId, Photos, Rig, Scale, Tags, View,
-};
+use shape::{Camera, Cameras, Intrinsics, Mask, Photo, PhotoId, Photos, Rig, Scale, Tags, View};
 use stage::{Ctx, Host, Stage, Stop};
 use std::sync::{Arc, Mutex};
 
@@ -102,9 +100,7 @@ pub(crate) fn framed_and_warned(
     };
     let masks = cameras.iter().enumerate().map(|(i, c)| (id(i), seen(c)));
     let input = FrameInput {
-        masks: Some(Arc::new(Masks {
-            views: masks.collect(),
-        })),
+        masks: Some(Arc::new(masks.collect())),
         photos: Arc::new(Photos {
             photos: (0..cameras.len()).map(photo).collect(),
             plate,

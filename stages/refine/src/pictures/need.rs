@@ -5,7 +5,7 @@
 use crate::pictures::crop::Crop;
 use crate::pictures::pinhole::{halved_size, pinhole};
 use crate::pictures::prepare::{halvings, looked_at, posed};
-use shape::{Cameras, Intrinsics, Masks, Mesh, Outline, Photos};
+use shape::{Cameras, Intrinsics, MaskRuns, Masks, Mesh, Outline, Photos};
 
 /// Of a pixel of a picture: brightness, and the distance to the silhouette (structural: what the buffers hold). \[bytes\]
 const PICTURE_PIXEL: f64 = 4.0;
@@ -69,11 +69,11 @@ impl Need {
             let whole = halved_size(&lens, halvings);
             let picture = (whole[0] * whole[1]) as f64;
             let mask = masks.and_then(|masks| masks.views.get(*id));
-            let share = mask.map_or(COVERS, |m| m.area() as f64 / m.data.len().max(1) as f64);
+            let share = mask.map_or(COVERS, MaskRuns::share);
             need.outlines += f64::from(u8::from(mask.is_some()));
             let shown = pinhole(&lens, whole);
             need.pixels += mask.map_or(picture, |mask| {
-                Crop::around(mask, &view.camera.lens, &shown).area() as f64
+                Crop::around(&mask.pixels(), &view.camera.lens, &shown).area() as f64
             });
             let larger = pixels(&view.camera.lens) - pixels(&lens);
             let photo = pixels(&lens) * PHOTO_PIXEL + larger * DECODED_PIXEL;

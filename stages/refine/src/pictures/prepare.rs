@@ -3,8 +3,8 @@
 use crate::pictures::picture::{Picture, Shown};
 use rayon::prelude::*;
 use shape::{
-    Camera, Cameras, Intrinsics, LOOKED_AT_MPX, Mask, Masks, Mesh, Outline, PhotoError, PhotoId,
-    Photos, View, Warps, within,
+    Camera, Cameras, Intrinsics, LOOKED_AT_MPX, MaskRuns, Masks, Mesh, Outline, PhotoError,
+    PhotoId, Photos, View, Warps, within,
 };
 use stage::Hash;
 use std::sync::Arc;
@@ -131,7 +131,7 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
                 photo.file.drop_kept::<Shown>();
             }
             let decoded = smaller.get(*id).unwrap_or(photo).decode()?;
-            let mask = mask.map(|mask| mask.resized(decoded.width, decoded.height));
+            let mask = mask.map(|m| m.pixels().resized(decoded.width, decoded.height));
             let mask = mask.as_ref();
             let outline = mask.and_then(|mask| Outline::of(&decoded, mask));
             let mut shown = Shown::new(decoded.gray(), lens, mask, halvings);
@@ -149,10 +149,10 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
 }
 
 /// The hash of all that what a photo shows is made by, but for the photo.
-fn made_by(lens: &Intrinsics, mask: Option<&Mask>, halvings: u32) -> Hash {
+fn made_by(lens: &Intrinsics, mask: Option<&MaskRuns>, halvings: u32) -> Hash {
     let mut by = format!("{halvings} {lens:?}").into_bytes();
     if let Some(mask) = mask {
-        by.extend_from_slice(stage::hash(&mask.data).as_bytes());
+        by.extend_from_slice(mask.content().as_bytes());
     }
     stage::hash(&by)
 }

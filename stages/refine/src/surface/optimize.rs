@@ -90,7 +90,7 @@ impl Stage for OptimizeSurface {
             undeform(&mut pictures, &input.photos, &input.cameras, warps);
         }
         let unit = input.mesh.unit;
-        // Masks are as large as photos; what is left of them is in the pictures.
+        // What is needed of photos, masks and the surface is in the pictures and the mesh.
         drop(input);
         stage::machine::give_freed_memory_back();
         let steps = ctx.steps("rounds", p.rounds as usize);

@@ -59,12 +59,14 @@ fn what_sticks_out_is_sent_back_as_far_as_it_does() {
 fn a_gap_that_one_photo_looks_through_is_kept_open_on_both_sides() {
     // A slit through the silhouette of the first photo, seven pixels wide.
     let pictures = scene(|masks| {
-        let slit = masks.views.get_mut(shape::PhotoId(0)).unwrap();
+        let kept = masks.views.get_mut(shape::PhotoId(0)).unwrap();
+        let mut slit = kept.pixels();
         for y in 0..slit.height {
             for x in 77..84 {
                 *slit.at_mut(x, y) = 0;
             }
         }
+        *kept = slit.into();
     });
     let mesh = ball(RADIUS - 1.0);
     let (far, _) = sent(&mesh, &pictures, 1.0);
@@ -93,10 +95,12 @@ fn a_gap_that_one_photo_looks_through_is_kept_open_on_both_sides() {
 fn an_outline_that_its_photo_does_not_show_bounds_less() {
     // The first photo's mask ends six pixels within the ball, where both sides have the ball's grey.
     let (photos, cameras, mut masks) = turn(1.0, &[]);
-    let bitten = masks.views.get_mut(shape::PhotoId(0)).unwrap();
-    let depth = shape::signed_distance(bitten);
+    let kept = masks.views.get_mut(shape::PhotoId(0)).unwrap();
+    let mut bitten = kept.pixels();
+    let depth = shape::signed_distance(&bitten);
     let within = bitten.data.iter_mut().zip(&depth.data);
     within.for_each(|(cover, depth)| *cover = if *depth > 6.0 { *cover } else { 0 });
+    *kept = bitten.into();
     let pictures = pictures::<Stop>(&photos, &cameras, Some(&masks), 0, 6.0, || Ok(())).unwrap();
     let outline = |picture: &Picture| {
         let inside = picture.inside.as_ref().unwrap();

@@ -77,13 +77,7 @@ pub(crate) fn turn(contrast: f64, shifts: &[Vector3<f64>]) -> (Photos, Cameras, 
         ground_mm: -RADIUS,
         points: vec![],
     };
-    (
-        photos,
-        cameras,
-        Masks {
-            views: masks.into_iter().collect(),
-        },
-    )
+    (photos, cameras, masks.into_iter().collect())
 }
 
 /// A ball cut from an octahedron.

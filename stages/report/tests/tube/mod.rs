@@ -3,9 +3,8 @@
 use nalgebra::{Rotation3, Vector3};
 use report::HtmlInput;
 use shape::{
-    Camera, Cameras, Girth, GirthId, Girths, Intrinsics, Landmark, Mask, Masks, Mesh, Missing,
-    Part, Photo, PhotoId, Photos, Plane, Pose, Profile, Refusal, Rgb, Scale, Sigmas, View,
-    rgb_to_jpeg,
+    Camera, Cameras, Girth, GirthId, Girths, Intrinsics, Landmark, Mask, Mesh, Missing, Part,
+    Photo, PhotoId, Photos, Plane, Pose, Profile, Refusal, Rgb, Scale, Sigmas, View, rgb_to_jpeg,
 };
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -115,9 +114,7 @@ pub(crate) fn input() -> HtmlInput {
     )];
     HtmlInput {
         photos: Some(Arc::new(photos())),
-        masks: Some(Arc::new(Masks {
-            views: ids().map(|id| (id, mask.clone())).collect(),
-        })),
+        masks: Some(Arc::new(ids().map(|id| (id, &mask)).collect())),
         cameras: Some(Arc::new(Cameras {
             views: ids().map(|id| (id, view(id))).collect(),
             scale: Scale::Mat,

@@ -14,8 +14,8 @@ use crate::params::{CutError, GAMMA};
 use crate::raster::{as_mask, only};
 use rayon::prelude::*;
 use shape::{
-    Aligned, Evidence, Label, Labels, Mask, Masks, People, Photo, PhotoEvidence, PhotoId, Photos,
-    Scene,
+    Aligned, Evidence, Label, Labels, Mask, MaskRuns, Masks, People, Photo, PhotoEvidence, PhotoId,
+    Photos, Scene,
 };
 use stage::{Ctx, Hash, Stage, Stop};
 use std::sync::Arc;
@@ -73,7 +73,7 @@ impl Stage for Border {
         };
         let labels = input.labels.views.as_slice();
         let steps = ctx.steps("photos", labels.len());
-        let one = |(id, label): &(PhotoId, Label)| {
+        let one = |(id, label): &(PhotoId, Label)| -> Result<Option<(PhotoId, MaskRuns)>, Stop> {
             let both = photos.get(*id).zip(input.evidence.views.get(*id));
             let Some((photo, evidence)) = both else {
                 return Ok(None);
@@ -81,24 +81,18 @@ impl Stage for Border {
             let depends = all.depends(*id, photo, evidence, label);
             let mask = || {
                 let mask = all.mask(*id, photo, evidence, label)?;
-                let views = only(mask);
-                Ok(Masks { views })
+                Ok(Masks::from_iter([(PhotoId(0), mask)]))
             };
             let masks: Masks = ctx.part("mask", &depends, mask)?;
             steps.tick()?;
             let mask = masks.views.get(PhotoId(0));
             let mask = mask.ok_or_else(|| CutError::Empty(photo.name.clone()))?;
             let whole = input.photos.get(*id).unwrap_or(photo);
-            let mask = mask.resized(whole.width as usize, whole.height as usize);
-            Ok(Some((*id, mask)))
+            let [width, height] = [whole.width, whole.height].map(|n| n as usize);
+            Ok(Some((*id, mask.pixels().resized(width, height).into())))
         };
-        let views = labels
-            .par_iter()
-            .map(one)
-            .collect::<Result<Vec<_>, Stop>>()?;
-        Ok(Masks {
-            views: views.into_iter().flatten().collect(),
-        })
+        let views = labels.par_iter().map(one).collect::<Result<Vec<_>, _>>()?;
+        Ok(views.into_iter().flatten().collect())
     }
 }
 

@@ -10,8 +10,8 @@ use crate::params::{CutError, CutParams};
 use crate::raster::{as_mask, only};
 use rayon::prelude::*;
 use shape::{
-    Aligned, Evidence, FoundBody, Image, Label as Labelled, Labels, Masks, PhotoEvidence, PhotoId,
-    Photos, Scene,
+    Aligned, Evidence, FoundBody, Image, Label as Labelled, Labels, MaskRuns, Masks, PhotoEvidence,
+    PhotoId, Photos, Scene,
 };
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -77,12 +77,11 @@ impl Stage for Label {
             let cut = || {
                 let ready = Prepared::of(evidence, None);
                 let (sides, _) = checked(coarse(&ready, &settings), &name(*id))?;
-                let views = only(as_mask(&sides));
-                Ok(Masks { views })
+                Ok(Masks::from_iter([(PhotoId(0), as_mask(&sides))]))
             };
             let masks: Masks = ctx.part("alone", &[*content], cut)?;
             steps.tick()?;
-            let mask = masks.views.get(PhotoId(0)).cloned();
+            let mask = masks.views.get(PhotoId(0)).map(MaskRuns::pixels);
             Ok((*id, mask.ok_or_else(|| CutError::Empty(name(*id)))?))
         };
         let mut agreement = Agreement::default();

@@ -11,7 +11,7 @@ use crate::walk::params::{WalkCutError, WalkParams};
 use crate::walk::passes::{Outlines, agreed};
 use crate::walk::space::{Scene, Space};
 use rayon::prelude::*;
-use shape::{Cameras, Image, Mask, Masks, PhotoId, Photos, Tracks};
+use shape::{Cameras, Image, MaskRuns, Masks, PhotoId, Photos, Tracks};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -102,7 +102,7 @@ impl Stage for Walk {
         judgement.warnings.into_iter().for_each(|w| ctx.warn(w));
         ctx.metric("bottom", cutter.height, "mm");
         let steps = ctx.steps("photos", shots.len());
-        let one = |(k, shot): (usize, &Shot)| -> Result<(PhotoId, Mask), Stop> {
+        let one = |(k, shot): (usize, &Shot)| -> Result<(PhotoId, MaskRuns), Stop> {
             let photo = photo(photos, shot.id)?;
             let pixels = photo.decode()?;
             let factor = factor(p, photo.width, photo.height);
@@ -111,16 +111,14 @@ impl Stage for Walk {
             let colors = &subject.colors[k];
             let mask = at_full_size(&pixels, factor, &sides[k], colors, p.gamma, &ends);
             steps.tick()?;
-            Ok((shot.id, mask))
+            Ok((shot.id, mask.into()))
         };
         let views = shots
             .par_iter()
             .enumerate()
             .map(one)
             .collect::<Result<Vec<_>, Stop>>()?;
-        Ok(Masks {
-            views: views.into_iter().collect(),
-        })
+        Ok(views.into_iter().collect())
     }
 }
 

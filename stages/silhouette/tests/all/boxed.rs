@@ -61,7 +61,7 @@ fn masked_within(most_mpx: f64, photo: &Rgb, box_px: Vec<f64>) -> Result<Mask, S
         ..Default::default()
     };
     match GrabCut::run(&params, input, &Ctx::alone()) {
-        Ok(masks) => Ok(masks.views.values().next().expect("a mask").clone()),
+        Ok(masks) => Ok(masks.views.values().next().expect("a mask").pixels()),
         Err(Stop::Failed(why)) => Err(why.to_string()),
         Err(Stop::Cancelled) => Err("cancelled".into()),
     }

@@ -70,9 +70,9 @@ fn either_polarity_gives_the_same_masks() {
     )
     .unwrap();
     assert_eq!(white, black);
-    assert_eq!(white.views.get(PhotoId(1)), Some(&mask(255, 0)));
+    assert_eq!(white.views.get(PhotoId(1)), Some(&mask(255, 0).into()));
     let reported = import(&[("0000.png", file(0, 255))], 1, Body::White).unwrap();
-    assert_eq!(reported.views.get(PhotoId(0)), Some(&mask(0, 255)));
+    assert_eq!(reported.views.get(PhotoId(0)), Some(&mask(0, 255).into()));
 }
 
 #[test]

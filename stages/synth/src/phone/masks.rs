@@ -3,7 +3,7 @@
 use crate::phone::draw::shift;
 use crate::phone::lens::{Linear, resampled};
 use rayon::prelude::*;
-use shape::{Mask, Masks, PhotoId};
+use shape::{Mask, MaskRuns, Masks, PhotoId};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -43,16 +43,14 @@ impl Stage for PhoneMasks {
 
     fn run(p: &PhoneMaskParams, input: PhoneMaskInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
         let steps = ctx.steps("masks", input.masks.views.len());
-        let one = |(id, mask): &(PhotoId, Mask)| -> Result<(PhotoId, Mask), Stop> {
-            let mask = moved(mask, shift(p.seed, id.0, p.shift_px));
+        let one = |(id, mask): &(PhotoId, MaskRuns)| -> Result<(PhotoId, MaskRuns), Stop> {
+            let mask = moved(&mask.pixels(), shift(p.seed, id.0, p.shift_px));
             steps.tick()?;
-            Ok((*id, mask))
+            Ok((*id, mask.into()))
         };
         let masks = input.masks.views.as_slice().par_iter().map(one);
         let masks: Vec<_> = masks.collect::<Result<_, _>>()?;
-        Ok(Masks {
-            views: masks.into_iter().collect(),
-        })
+        Ok(masks.into_iter().collect())
     }
 }
 

@@ -136,6 +136,7 @@ fn silhouettes_are_those_of_the_projected_solid() {
         };
         let masks = TrueMasks::run(&MaskParams { rays: 4 }, input, &Ctx::alone()).unwrap();
         for (_, mask, view) in masks.views.join(&cameras.views) {
+            let mask = mask.pixels();
             let (mut differ, mut inside) = (0.0, 0.0);
             for y in 0..mask.height {
                 for x in 0..mask.width {
@@ -224,7 +225,7 @@ fn photos_show_the_body_within_the_masks_and_the_background_elsewhere() {
         sway: None,
     };
     let masks = TrueMasks::run(&MaskParams { rays: 4 }, input, &Ctx::alone()).unwrap();
-    let mask = masks.views.get(PhotoId(0)).unwrap();
+    let mask = masks.views.get(PhotoId(0)).unwrap().pixels();
     let photo = photos.photos[0].decode().unwrap();
     let plate = photos.plate.as_ref().unwrap().decode().unwrap();
     let (mut body, mut reported) = (0, 0);
@@ -273,7 +274,7 @@ fn a_surface_with_colours_wears_them() {
         sway: None,
     };
     let masks = TrueMasks::run(&MaskParams { rays: 3 }, input, &Ctx::alone()).unwrap();
-    let mask = masks.views.get(PhotoId(0)).unwrap();
+    let mask = masks.views.get(PhotoId(0)).unwrap().pixels();
     let photo = take(&mesh);
     let body = photo
         .data

@@ -1,7 +1,7 @@
 //! A body of posts and joints that turns before a standing camera, as a network and a mask would show it.
 
 use nalgebra::Vector3;
-use shape::{Crop, Found, Image, Joint, Mask, Masks, People, Photo, PhotoId, Photos, Rig};
+use shape::{Crop, Found, Image, Joint, Mask, People, Photo, PhotoId, Photos, Rig};
 use stage::{Ctx, Host, Metric, Stage, Stop};
 use std::f64::consts::{SQRT_2, TAU};
 use std::sync::{Arc, Mutex};
@@ -203,10 +203,7 @@ impl Turn {
                 views: ids().zip(found).collect(),
                 person: true,
             }),
-            masks: masked.then(|| {
-                let views = ids().zip(masks.iter().cloned()).collect();
-                Arc::new(Masks { views })
-            }),
+            masks: masked.then(|| Arc::new(ids().zip(&masks).collect())),
             tracks: None,
         };
         let params = MotionParams {

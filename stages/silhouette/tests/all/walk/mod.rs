@@ -93,7 +93,7 @@ fn against(masks: &Masks, truth: &[Mask]) -> (f64, f64) {
     let all: Vec<f64> = masks
         .views
         .iter()
-        .map(|(id, m)| shared(m, &truth[id.0 as usize]))
+        .map(|(id, m)| shared(&m.pixels(), &truth[id.0 as usize]))
         .collect();
     let mean = all.iter().sum::<f64>() / all.len() as f64;
     (mean, all.into_iter().fold(1.0, f64::min))
@@ -140,7 +140,7 @@ fn the_height_that_is_given_is_where_the_subject_ends() {
     let masks = came.masks.unwrap();
     // Just above the height, on the front of a thigh, and well below it.
     for (k, camera) in scene.cameras.iter().enumerate() {
-        let mask = masks.views.values().nth(k).unwrap();
+        let mask = masks.views.values().nth(k).unwrap().pixels();
         let at = |z: f64| {
             camera
                 .project(&nalgebra::Point3::new(95.0, 0.0, z))
