@@ -131,7 +131,7 @@ mod tests {
     use super::*;
     use crate::uncertainty::edges::Unseen;
     use crate::uncertainty::outlines::Borders;
-    use shape::{GirthId, Part, Photo, Plane};
+    use shape::{GirthId, Part, Photo, Plane, Side, Split};
 
     #[test]
     fn what_photos_do_not_show_is_one_warning_of_all_girths_and_photos_that_it_concerns() {
@@ -168,5 +168,21 @@ mod tests {
         assert!(text.starts_with("hip, chest: what is worn"), "{text}");
         assert!(text.contains("there on 0.jpg, 2.jpg, 3.jpg: "), "{text}");
         assert!(unsure.warnings(None).is_empty());
+    }
+    #[test]
+    fn thighs_that_touch_each_other_are_remarked_as_such() {
+        let level = Plane {
+            point_mm: [0.0; 3],
+            normal: [0.0, 0.0, 1.0],
+        };
+        let remark = |id: GirthId, part: Part| {
+            let mut girth = Girth::at(&Landmark::new(id, level, part), 500.0);
+            girth.split = Some(Split { share: 0.25 });
+            girth.remarks().remove(0)
+        };
+        let thigh = remark(GirthId::Thigh(Side::Left), Part::LegLeft);
+        assert!(thigh.starts_with("the thighs touch"), "{thigh}");
+        let chest = remark(GirthId::Chest, Part::Trunk);
+        assert!(chest.starts_with("the arm touches the trunk"), "{chest}");
     }
 }

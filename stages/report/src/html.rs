@@ -103,7 +103,7 @@ pub struct Html;
 
 impl Stage for Html {
     const NAME: &'static str = "report.html";
-    const VERSION: u32 = 19;
+    const VERSION: u32 = 20;
     const ABOUT: &'static str = "Makes one self-contained page: 3D view, girths, photos, cameras.";
     type Params = HtmlParams;
     type Input = HtmlInput;

@@ -71,9 +71,12 @@ impl Girth {
     /// All remarks on it: what was split, what is unknown, what is odd.
     pub fn remarks(&self) -> Vec<String> {
         let split = self.split.map(|split| {
+            let what = match self.region {
+                Region::Thigh => "the thighs touch and were parted",
+                _ => "the arm touches the trunk and was separated",
+            };
             format!(
-                "the arm touches the trunk and was separated by estimation: {:.0} % of the way around is seen, on the outline \
-                 beside it or on a clear section",
+                "{what} by estimation: {:.0} % of the way around is seen, on the outline beside it or on a clear section",
                 100.0 * split.share
             )
         });
