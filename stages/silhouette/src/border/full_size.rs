@@ -7,6 +7,7 @@ use crate::border::tiles::{band, cut_again, of_small, settled, tiles};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Costs, Settings, cut};
 use crate::likelihood::background::{Likeness, Noise};
+use crate::likelihood::colors_beside::Nearby;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
 use crate::likelihood::mirror::mirroring;
@@ -33,7 +34,7 @@ pub fn fine(
     let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH_PX);
     let settings = &settings.with(noise);
     if factor == 1 {
-        return soft_border(pixels, image, coarse, noise);
+        return soft_border(pixels, Some(without), coarse, noise);
     }
     let band = band(coarse);
     let settled = Settled::of(ready, coarse, &band);
@@ -79,7 +80,7 @@ pub fn fine(
         let odds = |x: usize, y: usize| settled.between(&person, x, y);
         follow(&mut sides, &likeness, without, gmm, &odds);
     }
-    soft_border(pixels, image, &largest_part(&sides), noise)
+    soft_border(pixels, Some(without), &largest_part(&sides), noise)
 }
 
 /// What the coarse cut leaves open: its border, where nothing was certain before.
@@ -135,6 +136,7 @@ impl Settled {
     fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop) -> Vec<f32> {
         let (width, height) = (likeness.photo.width, likeness.photo.height);
         let mut cost = vec![0.0; width * height];
+        let nearby = Nearby::of(without);
         for tile in tiles(&self.near) {
             let scaled = |r: &Range<usize>| (r.start * self.factor, r.len() * self.factor);
             let ((left, wide), (top, tall)) = (scaled(&tile.x), scaled(&tile.y));
@@ -145,7 +147,9 @@ impl Settled {
                 for (i, here) in places.zip(row) {
                     cost[i] = match without.seen.data[i] {
                         true => *here,
-                        false => UNSEEN,
+                        false => nearby
+                            .cost(likeness.photo, i)
+                            .map_or(UNSEEN, |c| c.min(UNSEEN)),
                     };
                 }
             }
@@ -173,3 +177,6 @@ impl Settled {
         coarse.sample(place(x), place(y))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,13 +2,13 @@
 //!
 //! A pixel on the border shows a mixture of body and background, `I = a F + (1 - a) B` (Porter and
 //! Duff 1984), of light and not of levels: what is half bright and half dark has a level nearer to the
-//! bright one. The background B is known, the body's light F is taken from beside it, and `a`
-//! follows. Where F and B are alike, the cut's own border is smoothed instead.
+//! bright one. The body's light F is taken from beside it, the background B is known or, where nobody saw it,
+//! taken from beside as well, and `a` follows. Where F and B are alike, the cut's own border is smoothed instead.
 
-use crate::border::light::{Light, Mixing};
+use crate::border::light::{Light, Mixing, Shown};
 use crate::likelihood::background::Noise;
 use crate::raster::as_mask;
-use crate::scene::backdrop::SHY;
+use crate::scene::backdrop::{Backdrop, SHY};
 use shape::{Image, Mask, Rgb};
 
 /// Half the side of the neighbourhood in which the body's colour is sought. By hand: looked at scene 131 with a plate,
@@ -20,18 +20,30 @@ pub(crate) const MIXED_PX: i32 = SHY as i32;
 /// scene 131 with a plate, at 0.7 and 1.4 of it: mean IoU −0.0001 and +0.0002.
 const BELIEVED_NOISES: f32 = 8.0;
 
-/// Coverage of every pixel: 0 or 255 but at the border, where it follows from colours.
-pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
+/// Coverage of every pixel: 0 or 255 but at the border, where it follows from colours; `without` is what was seen of the
+/// background.
+pub(crate) fn soft_border(
+    photo: &Rgb,
+    without: Option<&Backdrop>,
+    sides: &Image<bool>,
+    noise: Noise,
+) -> Mask {
     let near = near_border(sides);
     let mut mask = smoothed(sides, &near);
     let light = Light::of_levels();
+    let beside = Beside {
+        photo,
+        without,
+        sides,
+        near: &near,
+        light: &light,
+    };
     for y in 0..sides.height {
         for x in along(&near, y) {
             let smooth = mask.at(x, y);
-            let Some((body, lit)) = around(photo, without, sides, &near, &light, x, y) else {
+            let Some((body, ground)) = beside.of(x, y) else {
                 continue;
             };
-            let ground = light.at(without, x, y).map(|c| c * lit);
             let Mixing { share, apart, .. } = light.mixing(photo, [x, y], body, ground);
             let trust = apart / (apart + (BELIEVED_NOISES * noise.still).powi(2));
             let mixed = trust * share * 255.0 + (1.0 - trust) * f32::from(smooth);
@@ -41,35 +53,71 @@ pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise
     mask
 }
 
-/// The body's mean light beside a border pixel, and how much of the background's is there.
-fn around(
-    photo: &Rgb,
-    without: &Rgb,
-    sides: &Image<bool>,
-    near: &Image<bool>,
-    light: &Light,
-    x: usize,
-    y: usize,
-) -> Option<([f32; 3], f32)> {
-    let (mut body, mut bodies) = ([0.0; 3], 0.0);
-    let (mut seen, mut want) = (0.0, 0.0);
-    for row in y.saturating_sub(REACH_PX)..(y + REACH_PX + 1).min(sides.height) {
-        for column in x.saturating_sub(REACH_PX)..(x + REACH_PX + 1).min(sides.width) {
-            if near.at(column, row) {
-                continue;
-            }
-            let shown = light.at(photo, column, row);
-            if sides.at(column, row) {
-                (0..3).for_each(|c| body[c] += shown[c]);
-                bodies += 1.0;
-            } else {
-                seen += shown.iter().sum::<f32>();
-                want += light.at(without, column, row).iter().sum::<f32>();
+/// What is beside the border of a cut.
+struct Beside<'a> {
+    photo: &'a Rgb,
+    without: Option<&'a Backdrop>,
+    sides: &'a Image<bool>,
+    /// Pixels that may show both sides.
+    near: &'a Image<bool>,
+    light: &'a Light,
+}
+
+impl Beside<'_> {
+    /// The light of the body beside a border pixel, and that of the background there: as it was seen, under as much light
+    /// as beside the pixel, or, where nobody saw it, as it is beside.
+    fn of(&self, x: usize, y: usize) -> Option<(Shown, Shown)> {
+        let (mut body, mut ground) = (Mean::default(), Mean::default());
+        let (mut shown_seen, mut expected) = (0.0, 0.0);
+        for row in y.saturating_sub(REACH_PX)..(y + REACH_PX + 1).min(self.sides.height) {
+            for column in x.saturating_sub(REACH_PX)..(x + REACH_PX + 1).min(self.sides.width) {
+                if self.near.at(column, row) {
+                    continue;
+                }
+                let shown = self.light.at(self.photo, column, row);
+                if self.sides.at(column, row) {
+                    body.add(shown);
+                    continue;
+                }
+                ground.add(shown);
+                if let Some(seen) = self.seen(column, row) {
+                    shown_seen += shown.iter().sum::<f32>();
+                    expected += seen.iter().sum::<f32>();
+                }
             }
         }
+        let lit = if expected == 0.0 {
+            1.0
+        } else {
+            shown_seen / expected
+        };
+        let seen = self.seen(x, y).map(|light| light.map(|c| c * lit));
+        Some((body.mean()?, seen.or_else(|| ground.mean())?))
     }
-    let lit = if want == 0.0 { 1.0 } else { seen / want };
-    (bodies > 0.0).then(|| (body.map(|b| b / bodies), lit))
+
+    /// The light of the background at a pixel, where it was seen.
+    fn seen(&self, x: usize, y: usize) -> Option<Shown> {
+        let without = self.without.filter(|without| without.seen.at(x, y))?;
+        Some(self.light.at(&without.image, x, y))
+    }
+}
+
+/// The mean of light.
+#[derive(Default)]
+struct Mean {
+    sum: Shown,
+    count: f32,
+}
+
+impl Mean {
+    fn add(&mut self, light: Shown) {
+        (0..3).for_each(|c| self.sum[c] += light[c]);
+        self.count += 1.0;
+    }
+
+    fn mean(&self) -> Option<Shown> {
+        (self.count > 0.0).then(|| self.sum.map(|c| c / self.count))
+    }
 }
 
 /// Columns of the pixels of a row that may show both sides.
@@ -169,10 +217,14 @@ mod tests {
             let photo = disc(radius, body, wall, &mut dice);
             // Every pixel with a trace of the body was cut out.
             let sides = photo.map(|p| (f64::from(p[1]) - wall).abs() > 8.0);
-            let without = Rgb::filled(120, 120, [wall as u8; 3]);
-            let off = (area(&soft_border(&photo, &without, &sides, noise)) - want) / round;
+            let without = Backdrop::whole(Rgb::filled(120, 120, [wall as u8; 3]));
+            let off = |without| (area(&soft_border(&photo, without, &sides, noise)) - want) / round;
             let cut = (area(&coverage(&sides)) - want) / round;
-            assert!(cut > 0.2 && off.abs() < 0.05, "{cut} px, then {off} px");
+            let (seen, unseen) = (off(Some(&without)), off(None));
+            assert!(
+                cut > 0.2 && seen.abs() < 0.05 && unseen.abs() < 0.05,
+                "{cut} px, then {seen} px, {unseen} px where nobody saw the wall"
+            );
         }
     }
 }

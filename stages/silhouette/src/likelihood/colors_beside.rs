@@ -5,7 +5,7 @@
 
 use crate::likelihood::background::FLAT;
 use crate::scene::backdrop::{Backdrop, SAME_LEVELS};
-use shape::{Image, Rgb};
+use shape::Rgb;
 
 /// How far away the scene is asked, as a share of the photo's height. By hand: looked at scene 132 without a plate, none
 /// asked in narrow gaps: mean IoU −0.0024, its hip +2.2 %.
@@ -17,54 +17,24 @@ pub(crate) const UNLIKE: f32 = SAME_LEVELS as f32;
 /// What it costs that a colour is found beside its place. By hand: not on record. \[nats\]
 const BESIDE_NATS: f32 = 2.0;
 
-/// The scene seen close to each pixel that nobody saw.
+/// The scene that was seen close to a pixel that nobody saw.
 pub(crate) struct Nearby<'a> {
     scene: &'a Backdrop,
+    /// Between places that are asked. \[px\]
     step: i64,
-    close: Image<bool>,
 }
 
 impl<'a> Nearby<'a> {
-    /// Finds the unseen pixels that have seen ones nearby.
     pub(crate) fn of(scene: &'a Backdrop) -> Self {
-        let (w, h) = (scene.seen.width, scene.seen.height);
-        let step =
-            ((h as f64 * REACH_SHARE * 2.0 / (ASKED_PLACES - 1) as f64).round() as i64).max(1);
-        let reach = step as usize * (ASKED_PLACES / 2);
-        // Nearest seen pixel along rows, then along columns.
-        let mut close = scene.seen.clone();
-        for along_rows in [true, false] {
-            let from = close.clone();
-            let (lines, length) = if along_rows { (h, w) } else { (w, h) };
-            let at = |line: usize, i: usize| {
-                if along_rows {
-                    line * w + i
-                } else {
-                    i * w + line
-                }
-            };
-            for line in 0..lines {
-                for order in [false, true] {
-                    let mut last = None;
-                    for step in 0..length {
-                        let i = if order { length - 1 - step } else { step };
-                        if from.data[at(line, i)] {
-                            last = Some(step);
-                        }
-                        close.data[at(line, i)] |= last.is_some_and(|l| step - l <= reach);
-                    }
-                }
-            }
-        }
-        Nearby { scene, step, close }
+        let height = scene.seen.height as f64;
+        let step = height * REACH_SHARE * 2.0 / (ASKED_PLACES - 1) as f64;
+        let step = (step.round() as i64).max(1);
+        Nearby { scene, step }
     }
 
     /// -ln p(pixel | a colour of the scene nearby), on the scale of the costs of the background.
     /// `None` where the scene was not seen nearby.
     pub(crate) fn cost(&self, photo: &Rgb, i: usize) -> Option<f32> {
-        if !self.close.data[i] {
-            return None;
-        }
         let (w, h) = (photo.width as i64, photo.height as i64);
         let (x, y) = (i as i64 % w, i as i64 / w);
         let half = (ASKED_PLACES / 2) as i64;

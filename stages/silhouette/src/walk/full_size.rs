@@ -1,6 +1,6 @@
 //! The outline of a reduced photo again at full size, window by window so that memory stays small.
 
-use crate::border::soft_border::{MIXED_PX, REACH_PX, coverage, soft_border};
+use crate::border::soft_border::soft_border;
 use crate::border::tiles::{band, cut_again, of_small, settled};
 use crate::cut::least_cut::{Known, cut_by_odds};
 use crate::likelihood::background::Noise;
@@ -31,7 +31,7 @@ pub(crate) fn at_full_size(
             }
         }
     }
-    soft_border(photo, &beside(photo, &sides), &sides, NOISE)
+    soft_border(photo, None, &sides, NOISE)
 }
 
 /// The border cut again.
@@ -56,33 +56,4 @@ fn by_colors(
             .collect();
         cut_by_odds(photo, window, gamma, &favour, &known)
     })
-}
-
-/// What the photo would show near the border without the subject: the mean of the background beside.
-fn beside(photo: &Rgb, sides: &Image<bool>) -> Rgb {
-    let far = shape::signed_distance(&coverage(sides));
-    let mixed = MIXED_PX as f32;
-    let (w, h) = (photo.width, photo.height);
-    let mut without = photo.clone();
-    for y in 0..h {
-        for x in 0..w {
-            let here = far.at(x, y);
-            if !(-mixed..=mixed).contains(&here) {
-                continue;
-            }
-            let (mut sum, mut count) = ([0u32; 3], 0u32);
-            for row in y.saturating_sub(REACH_PX)..(y + REACH_PX + 1).min(h) {
-                for column in x.saturating_sub(REACH_PX)..(x + REACH_PX + 1).min(w) {
-                    if far.at(column, row) < -mixed {
-                        (0..3).for_each(|c| sum[c] += u32::from(photo.at(column, row)[c]));
-                        count += 1;
-                    }
-                }
-            }
-            if count > 0 {
-                *without.at_mut(x, y) = sum.map(|s| ((s + count / 2) / count) as u8);
-            }
-        }
-    }
-    without
 }
