@@ -12,8 +12,8 @@
 //! |---|---|---|
 //! | `calibrate` | the stage: with a mat, or without one | `mat`, `ring` |
 //! | `mat` | cameras from a marker mat; the mat on paper | `calibration`, `two_view` |
-//! | `ring` | cameras from features alone | `calibration`, `two_view`, `frame` |
-//! | `walk` | cameras that were walked around a subject | `two_view`, `features`, `adjust`, `frame` |
+//! | `ring` | cameras from features alone | `walk`, `calibration`, `two_view`, `frame` |
+//! | `walk` | cameras that were walked around a subject, or are in no order | `calibration`, `two_view`, `features`, `adjust`, `frame` |
 //! | `features` | features and tracks | `calibration`, `two_view` |
 //! | `calibration` | params, what is believed, what is warned of | `adjust` |
 //! | `adjust` | bundle adjustment | |

@@ -1,4 +1,4 @@
-//! Cameras without a mat, from features: `solve` → `any_order` (nobody knows the order), `cameras`
+//! Cameras without a mat, from features: `solve` → `any_order` (nobody knows the order: `walk`), `cameras`
 //! (what was adjusted becomes cameras, or a refusal) → `trial`, `places`, `pairs` → `start`.
 
 pub(crate) mod any_order;

@@ -6,8 +6,8 @@ use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::{focals, knows_focal, lens_belief};
 use crate::calibration::trust::median_px;
-use crate::ring::any_order::grown;
-use crate::ring::cameras::{Solved, to_cameras};
+use crate::ring::any_order;
+use crate::ring::cameras::to_cameras;
 use crate::ring::error::TracksError;
 use crate::ring::pairs::{chosen, pairs};
 use crate::ring::places::{Gain, out_of_place, placed};
@@ -42,7 +42,7 @@ pub(crate) fn calibrate(
     p: &CalibrateParams,
 ) -> Result<Found, TracksError> {
     if p.motion == Motion::Any {
-        return to_cameras(photos, &grown(photos, lens, tracks, p)?, p);
+        return to_cameras(photos, &any_order::solved(photos, lens, tracks, p)?, p);
     }
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
     let Beginning { scene, places } = beginning(photos, lens, &ids, tracks, p)?;
@@ -71,31 +71,13 @@ pub(crate) fn calibrate(
         trusted.scene.ring = None;
         (0..3).for_each(|_| trusted.again(&ids, &beliefs, p));
     }
-    let Trusted {
-        many,
-        scene,
-        observations,
-        fit,
-        ..
-    } = trusted;
-    let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
-    if share < 0.2 {
+    let solved = trusted.solved(ids, beliefs.lens);
+    if solved.share < 0.2 {
         return Err(TracksError::Unexplained {
-            share: share * 100.0,
+            share: solved.share * 100.0,
         });
     }
-    let mut found = to_cameras(
-        photos,
-        &Solved {
-            ids,
-            scene,
-            observations,
-            fit,
-            share,
-            prior: beliefs.lens,
-        },
-        p,
-    )?;
+    let mut found = to_cameras(photos, &solved, p)?;
     if let Some(steady) = steady {
         given_back(&mut found.cameras, steady);
     }

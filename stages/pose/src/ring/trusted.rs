@@ -1,10 +1,12 @@
 //! A turn adjusted to all features, in rounds: which of them fit, what they scatter by, then one adjustment.
 
 use crate::adjust::bundle::{Fit, adjust};
+use crate::adjust::lens::LensPrior;
 use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::settings;
 use crate::calibration::trust::median_px;
+use crate::ring::cameras::Solved;
 use crate::ring::pairs::chosen;
 use crate::ring::trial::{filled, spread_px};
 use crate::two_view::triangulate::triangulated;
@@ -17,7 +19,7 @@ const LEAST_LOSS_SHARE: f64 = 0.05;
 /// A scene that holds on to features.
 pub(crate) struct Trusted {
     /// The features that are looked at.
-    pub(crate) many: Tracks,
+    many: Tracks,
     pub(crate) scene: Scene,
     /// Those that fit.
     pub(crate) observations: Vec<PointObservation>,
@@ -58,6 +60,19 @@ impl Trusted {
         (self.observations, self.sigma_px, self.how) =
             fitting(&mut self.scene, ids, &self.many, most_px, p);
         self.fit = adjust(&mut self.scene, &self.observations, beliefs, &self.how);
+    }
+
+    /// What follows: how much of the features it explains, and by what lens it was believed.
+    pub(crate) fn solved(self, ids: Vec<PhotoId>, prior: LensPrior) -> Solved {
+        let of = self.many.points.len().max(1);
+        Solved {
+            ids,
+            share: self.scene.points.len() as f64 / of as f64,
+            scene: self.scene,
+            observations: self.observations,
+            fit: self.fit,
+            prior,
+        }
     }
 
     /// Median distance of features from where they should be. \[px\]

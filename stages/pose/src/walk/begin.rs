@@ -1,6 +1,6 @@
 //! Two photos to begin with: much in common, seen from well apart.
 
-use crate::two_view::resection::{at_origin, two_views};
+use crate::two_view::relative::{at_origin, two_views};
 use crate::walk::groups::Groups;
 use crate::walk::model::{Model, Seen, Shot};
 use nalgebra::Point2;

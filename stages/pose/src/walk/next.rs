@@ -25,11 +25,19 @@ impl State<'_> {
         let places = places(&self.model, self.seen.by_photo.len());
         let open = (0..places.len()).filter(|p| places[*p].is_none());
         let mut next: Vec<(usize, usize)> = open
-            .map(|p| (spread(&self.known(p), self.lens(p)), p))
+            .map(|p| (self.worth(&self.known(p), self.lens(p)), p))
             .filter(|(score, _)| *score > 0)
             .collect();
         next.sort_by_key(|(score, p)| (std::cmp::Reverse(*score), *p));
         next.into_iter().find_map(|(_, p)| self.placed(p))
+    }
+
+    /// How good points are for a camera.
+    fn worth(&self, known: &[Known], lens: &Intrinsics) -> usize {
+        match self.rules.spread {
+            true => spread(known, lens),
+            false => known.len(),
+        }
     }
 
     fn lens(&self, photo: usize) -> &Intrinsics {

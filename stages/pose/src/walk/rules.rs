@@ -7,6 +7,9 @@ use crate::walk::adjust::Terms;
 pub(crate) struct Growth {
     /// Points further from where they were seen are left out. \[px\]
     pub(crate) near_px: f64,
+    /// Whether the photo comes next whose points are best spread over it, not the one that has most: of a turn it is the
+    /// background that fills photos.
+    pub(crate) spread: bool,
     /// Fewest points that hold a camera.
     pub(crate) least: usize,
     /// Least share of the points a photo shows that must agree with its camera.

@@ -178,9 +178,11 @@ fn size(photos: &Photos) -> f64 {
     (f64::from(longest.unwrap_or(0)) / 2400.0).max(1.0)
 }
 
-fn growth(p: &WalkParams, photos: &Photos, groups: &Groups) -> Growth {
+/// How its cameras grow.
+pub(crate) fn growth(p: &WalkParams, photos: &Photos, groups: &Groups) -> Growth {
     Growth {
         near_px: p.near_px * size(photos),
+        spread: true,
         least: p.least as usize,
         share: p.least_share,
         rounds: p.rounds as usize,
