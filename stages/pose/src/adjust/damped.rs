@@ -1,7 +1,7 @@
 //! Levenberg–Marquardt: steps of damped normal equations that only ever lower a cost (Madsen, Nielsen
 //! and Tingleff 2004, §3.2).
 
-use nalgebra::{DMatrix, DVector, SMatrix};
+use nalgebra::{DMatrix, DVector, Rotation3, SMatrix, Vector3};
 use shape::Pose;
 
 /// Weight of a direction that is kept where it is, in standard deviations of its own size.
@@ -114,13 +114,22 @@ pub(crate) fn centre_sigma(pose: &Pose, covariance: &SMatrix<f64, 6, 6>) -> f64 
         .sqrt()
 }
 
+/// The camera farthest from the first: its place, how its translation changes as it goes farther away, how far it is.
+pub(crate) fn farthest(poses: &[Pose]) -> Option<(usize, Vector3<f64>, f64)> {
+    let from = poses.first()?.centre();
+    let far = |c: &usize| (poses[*c].centre() - from).norm();
+    let last = (1..poses.len()).max_by(|a, b| far(a).total_cmp(&far(b)))?;
+    let (pose, size) = (&poses[last], far(&last).max(1e-9));
+    Some((last, pose.rotation * (pose.centre() - from) / size, size))
+}
+
 /// The pose after a step.
 pub(crate) fn pose_moved(pose: &Pose, step: &[f64]) -> Pose {
-    let turn = nalgebra::Vector3::new(step[0], step[1], step[2]);
-    let mut rotation = nalgebra::Rotation3::new(turn) * pose.rotation;
+    let turn = Vector3::new(step[0], step[1], step[2]);
+    let mut rotation = Rotation3::new(turn) * pose.rotation;
     rotation.renormalize();
     Pose {
         rotation,
-        translation: pose.translation + nalgebra::Vector3::new(step[3], step[4], step[5]),
+        translation: pose.translation + Vector3::new(step[3], step[4], step[5]),
     }
 }

@@ -4,6 +4,9 @@ use crate::adjust::lens::LENS;
 use nalgebra::{Matrix2, Matrix2x3, Point3, SMatrix, Vector2};
 use shape::Camera;
 
+/// Median length of residuals that are normal in two dimensions, in their standard deviations along one: √(2 ln 2) (derived).
+pub(crate) const MEDIAN_SIGMAS: f64 = 1.18;
+
 /// A residual and its derivatives, in standard deviations.
 pub struct Derivatives {
     /// Projection minus observation.

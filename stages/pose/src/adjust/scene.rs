@@ -1,7 +1,7 @@
 //! What is adjusted, what was seen of it, what is believed of it, and the cost of all that.
 
 use crate::adjust::damped::cauchy;
-use crate::adjust::lens::{LENS, LensPrior, lens_values};
+use crate::adjust::lens::LensPrior;
 use crate::adjust::residual::{Derivatives, derivatives};
 use crate::adjust::rim::{OnRim, RimBelief};
 use crate::adjust::ring::Ring;
@@ -90,10 +90,6 @@ pub fn cost(scene: &Scene, observations: &[PointObservation], beliefs: &Beliefs,
         .iter()
         .map(|o| cauchy(look(scene, o).map(|d| d.residual.norm_squared()), c2))
         .sum();
-    let (values, prior) = (lens_values(&scene.lens), &beliefs.lens);
-    let lens: f64 = (0..LENS)
-        .map(|i| ((values[i] - prior.mean[i]) / prior.sigma[i]).powi(2))
-        .sum();
     let steps: f64 = match (&scene.ring, &beliefs.steps) {
         (Some(ring), Some(steps)) => ring
             .angles
@@ -107,5 +103,5 @@ pub fn cost(scene: &Scene, observations: &[PointObservation], beliefs: &Beliefs,
         (Some(rim), Some(b)) => rim.beliefs(b).map(|(v, s)| (v / s).powi(2)).sum(),
         _ => 0.0,
     };
-    seen + lens + steps + rim
+    seen + beliefs.lens.cost(&scene.lens) + steps + rim
 }

@@ -1,7 +1,7 @@
 //! The normal equations of an adjustment with what is believed and what is fixed, and the
 //! standard deviations from their inverse.
 
-use crate::adjust::damped::{FIXED, System, centre_by_pose, centre_sigma};
+use crate::adjust::damped::{FIXED, System, centre_by_pose, centre_sigma, farthest};
 use crate::adjust::lens::{LENS, lens_values};
 use crate::adjust::normal::{Block, Normal, Point};
 use crate::adjust::ring::Ring;
@@ -117,17 +117,10 @@ fn freedoms(scene: &Scene) -> Vec<(Vec<f64>, f64)> {
         return ring.freedoms();
     }
     let n = LENS + 6 * scene.poses.len();
-    let Some(first) = scene.poses.first() else {
-        return vec![];
-    };
     // The first camera stays, and so does its distance to the farthest.
-    let from = first.centre();
-    let far = |c: &usize| (scene.poses[*c].centre() - from).norm();
-    let last = (1..scene.poses.len()).max_by(|a, b| far(a).total_cmp(&far(b)));
-    let Some(last) = last else {
+    let Some((last, along, size)) = farthest(&scene.poses) else {
         return vec![];
     };
-    let size = far(&last).max(1e-9);
     let mut fixed: Vec<_> = (0..6)
         .map(|i| {
             let mut d = vec![0.0; n];
@@ -135,8 +128,6 @@ fn freedoms(scene: &Scene) -> Vec<(Vec<f64>, f64)> {
             (d, if i < 3 { 1.0 } else { size })
         })
         .collect();
-    let pose = &scene.poses[last];
-    let along = pose.rotation * (pose.centre() - from) / size;
     let mut d = vec![0.0; n];
     (0..3).for_each(|i| d[LENS + 6 * last + 3 + i] = along[i]);
     fixed.push((d, size));

@@ -10,6 +10,12 @@ pub(crate) fn knows_focal(rig: &Rig) -> bool {
     rig.focal_35mm.is_some() || rig.focal_px.is_some()
 }
 
+/// How many times more pixels the photos have along a side than what bounds in pixels are for.
+pub(crate) fn enlargement(photos: &Photos) -> f64 {
+    let longest = photos.photos.iter().map(|p| p.width.max(p.height)).max();
+    (f64::from(longest.unwrap_or(0)) / 2400.0).max(1.0)
+}
+
 /// The lens that capture.toml gives, or EXIF. Without a focal length, that of a usual lens: the
 /// photo's longer side times 1.2.
 pub(crate) fn first_lens(photos: &Photos) -> Intrinsics {

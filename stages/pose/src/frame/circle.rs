@@ -3,6 +3,9 @@
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras, Pose};
 
+/// Size of a ring while its millimetres are unknown: the cameras' mean distance from the axis (structural: a unit). \[mm\]
+pub(crate) const RING_MM: f64 = 1000.0;
+
 /// A circle in space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {

@@ -1,7 +1,7 @@
 //! The stage that gives cameras their millimetres and their ground.
 
 use crate::calibration::params::CalibrateParams;
-use crate::frame::circle::moved;
+use crate::frame::circle::{RING_MM, moved};
 use crate::frame::disk_search::{Rules, edge, still};
 use crate::frame::disk_tags::on_disk;
 use crate::frame::lengths::{Measure, Seen, by_tags, floor, measures};
@@ -229,9 +229,6 @@ fn apart(first: &Measure, other: &Measure, off: f64, [share, cm]: [Template; 2])
         [by, what, ("given", given.into()), ("seen", seen.into())],
     )
 }
-
-/// What cameras are called when their millimetres are unknown: their mean distance from the axis (structural: a unit).
-const RING_MM: f64 = 1000.0;
 
 /// The cameras with their ground at height 0, in shares of their own distance from the axis.
 fn without_scale(cameras: &Cameras, ground: f64, pair: [Length; 2]) -> Cameras {

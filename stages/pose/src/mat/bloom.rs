@@ -5,6 +5,7 @@
 //! shift bends the lens (k1, k2) and through it the focal length. Here it is an unknown of each tag.
 
 use crate::adjust::bundle::{Fit, adjust};
+use crate::adjust::residual::MEDIAN_SIGMAS;
 use crate::adjust::rim::straightened;
 use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
 use crate::calibration::trust::median_px;
@@ -86,10 +87,9 @@ pub(crate) fn adjust_tags(
     fit
 }
 
-/// Standard deviation of observations: the median of a two-dimensional normal distribution's length is
-/// 1.18 of them. \[px\]
+/// Standard deviation of observations, by the median. \[px\]
 pub(crate) fn scatter_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
-    median_px(scene, observations) / 1.18
+    median_px(scene, observations) / MEDIAN_SIGMAS
 }
 
 /// A tag's corners where they would be seen if its sides were straight: those of a tag on the rim

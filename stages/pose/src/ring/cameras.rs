@@ -5,12 +5,11 @@ use crate::adjust::lens::LensPrior;
 use crate::adjust::scene::{PointObservation, Scene};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
-use crate::calibration::prior::knows_focal;
+use crate::calibration::prior::{enlargement, knows_focal};
 use crate::calibration::trust::{misfits, nudged, view, warnings};
-use crate::frame::circle::{camera_circle, in_ring_frame};
+use crate::frame::circle::{RING_MM, camera_circle, in_ring_frame};
 use crate::ring::error::TracksError;
 use crate::ring::pairs::LEAST_FEATURES;
-use crate::ring::trial::RING_MM;
 use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
 use stage::message;
 
@@ -39,8 +38,7 @@ pub(crate) fn to_cameras(
     p: &CalibrateParams,
 ) -> Result<Found, TracksError> {
     let (scene, fit, share) = (&solved.scene, &solved.fit, solved.share);
-    let longest = f64::from(scene.lens.width.max(scene.lens.height));
-    let most = p.most_px * (longest / 2400.0).max(1.0);
+    let most = p.most_px * enlargement(photos);
     if fit.rms_px > most {
         return Err(TracksError::Loose {
             rms: fit.rms_px,

@@ -1,17 +1,16 @@
 //! A candidate turn, tried on features: how much of them it explains.
 
 use crate::adjust::bundle::adjust;
+use crate::adjust::residual::MEDIAN_SIGMAS;
 use crate::adjust::ring::Ring;
 use crate::adjust::scene::{Beliefs, PointObservation, Scene};
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{lens_prior, settings};
+use crate::frame::circle::RING_MM;
 use crate::ring::start::{Start, on_axis};
 use crate::two_view::triangulate::{Seen, triangulated};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::{Intrinsics, PhotoId, Tracks};
-
-/// Size of the ring while its millimetres are unknown (structural: a unit). \[mm\]
-pub(crate) const RING_MM: f64 = 1000.0;
 
 /// The ring of a start: camera zero looks along +y.
 fn ring_of(start: &Start) -> Ring {
@@ -81,5 +80,5 @@ pub(crate) fn tried_out(
 
 /// Standard deviation of the observations about their points, by the median. \[px\]
 pub(crate) fn spread_px(seen: &[Seen]) -> f64 {
-    crate::two_view::triangulate::median_residual(seen).min(100.0) / 1.18
+    crate::two_view::triangulate::median_residual(seen).min(100.0) / MEDIAN_SIGMAS
 }

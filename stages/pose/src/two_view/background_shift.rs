@@ -3,6 +3,7 @@
 //! A camera that is nudged turns about itself, so that all of the background, far and near, follows one
 //! rotation of its rays; no disk turns like that, and no subject fills the photo.
 
+use crate::two_view::epipolar::draws;
 use crate::two_view::five_point::Both;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::Intrinsics;
@@ -48,13 +49,8 @@ pub fn background_shift(
             .collect()
     };
     let count = |of: &[bool]| of.iter().filter(|of| **of).count();
-    let mut state = seed;
-    let mut draw = || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        all[((state >> 33) as usize) % all.len()]
-    };
+    let mut place = draws(seed, all.len());
+    let mut draw = || all[place()];
     let mut of = vec![];
     for _ in 0..rounds {
         let two = [draw(), draw()];

@@ -136,6 +136,17 @@ fn within(pairs: &[Both], motion: Option<Matrix3<f64>>, most_px: f64) -> Vec<boo
     pairs.iter().map(near).collect()
 }
 
+/// Places below `n`, drawn by a seed (a linear congruential generator; Knuth 1997, §3.3.4).
+pub(crate) fn draws(seed: u64, n: usize) -> impl FnMut() -> usize {
+    let mut state = seed;
+    move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 33) as usize) % n
+    }
+}
+
 fn sampled(
     pairs: &[Both],
     model: &Model<'_>,
@@ -145,18 +156,12 @@ fn sampled(
 ) -> Option<Matrix3<f64>> {
     let count = |f: &Matrix3<f64>| pairs.iter().filter(|p| sampson(f, p) < most_px).count();
     let (mut best, mut most) = (None, 0);
-    let mut state = seed;
-    let mut draw = |n: usize| {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 33) as usize) % n
-    };
+    let mut draw = draws(seed, pairs.len());
     let mut need = rounds;
     let mut done = 0;
     while done < need.min(rounds) && pairs.len() >= 12 {
         done += 1;
-        let sample: Vec<Both> = (0..model.size).map(|_| pairs[draw(pairs.len())]).collect();
+        let sample: Vec<Both> = (0..model.size).map(|_| pairs[draw()]).collect();
         for f in (model.of_few)(&sample) {
             let own = count(&f);
             if own <= most {

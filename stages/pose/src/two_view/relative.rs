@@ -47,7 +47,7 @@ pub(crate) fn two_views(lens: &Intrinsics, both: &[Both]) -> Option<Pose> {
             }
         }
     }
-    best.filter(|(count, _)| *count >= 12).map(|(_, pose)| pose)
+    best.map(|(_, pose)| pose)
 }
 
 #[cfg(test)]

@@ -1,13 +1,16 @@
 //! Adjusts lenses, shots and points together: Levenberg–Marquardt with Cauchy's loss, as the bundle
 //! adjustment of a turn, but for several lenses, each photo's focus, and some shots at a time.
 
-use crate::adjust::damped::{FIXED, Problem, System, cauchy, centre_sigma, descend, pose_moved};
+use crate::adjust::damped::{
+    FIXED, Problem, System, cauchy, centre_sigma, descend, farthest, pose_moved,
+};
 use crate::adjust::lens::{LENS, LensPrior, lens_values, lens_with};
 use crate::adjust::normal::Normal;
 use crate::walk::model::{Model, Shot};
 use crate::walk::normal::{Places, reduce};
 use nalgebra::DVector;
 use rayon::prelude::*;
+use shape::Pose;
 
 /// What is believed before anything is seen, and how to adjust.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,15 +87,8 @@ pub(crate) fn cost(model: &Model, terms: &Terms) -> f64 {
         })
         .collect();
     let seen: f64 = each.iter().sum();
-    let lens = |(lens, prior): (&shape::Intrinsics, &LensPrior)| {
-        let off = |(i, v): (usize, f64)| ((v - prior.mean[i]) / prior.sigma[i]).powi(2);
-        lens_values(lens)
-            .into_iter()
-            .enumerate()
-            .map(off)
-            .sum::<f64>()
-    };
-    let lenses: f64 = model.lenses.iter().zip(&terms.lenses).map(lens).sum();
+    let lenses = model.lenses.iter().zip(&terms.lenses);
+    let lenses: f64 = lenses.map(|(lens, prior)| prior.cost(lens)).sum();
     let zoom = |s: &Shot| (s.zoom / terms.zoom_sigma).powi(2);
     seen + lenses + model.shots.iter().map(zoom).sum::<f64>()
 }
@@ -154,13 +150,9 @@ impl Problem for Walk<'_> {
 
 /// The step that moves the farthest shot away from the first, and how far it is.
 fn scale(model: &Model, places: &Places) -> Option<(DVector<f64>, f64)> {
-    let from = model.shots.first()?.pose.centre();
-    let far = |s: &usize| (model.shots[*s].pose.centre() - from).norm();
-    let last = (1..model.shots.len()).max_by(|a, b| far(a).total_cmp(&far(b)))?;
+    let poses: Vec<Pose> = model.shots.iter().map(|s| s.pose).collect();
+    let (last, along, size) = farthest(&poses)?;
     let at = places.shots[last]?;
-    let size = far(&last).max(1e-9);
-    let pose = &model.shots[last].pose;
-    let along = pose.rotation * (pose.centre() - from) / size;
     let mut d = DVector::zeros(places.count);
     (0..3).for_each(|i| d[at + 3 + i] = along[i]);
     Some((d, size))

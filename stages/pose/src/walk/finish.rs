@@ -1,5 +1,6 @@
 //! The last adjustments: all points, observations as sure as they turn out to be.
 
+use crate::adjust::residual::MEDIAN_SIGMAS;
 use crate::walk::adjust::{Free, Sureness, Terms, adjusted, sureness};
 use crate::walk::grow::Grown;
 use crate::walk::model::Model;
@@ -65,7 +66,7 @@ pub(crate) fn finished(
 /// Standard deviation of an observation along one axis, by the median. \[px\]
 fn sigma_px(model: &Model) -> f64 {
     let middle = shape::upper_median(offs(model).into_iter().map(|(_, off)| off));
-    middle.map_or(1.0, |off| off.min(100.0) / 1.18)
+    middle.map_or(1.0, |off| off.min(100.0) / MEDIAN_SIGMAS)
 }
 
 /// The model with its shots in another order.

@@ -1,6 +1,7 @@
 //! The floor that a subject is on: a nearly level plane under which there is next to nothing.
 
 use crate::frame::placed_tag::LEVEL_RAD;
+use crate::two_view::epipolar::draws;
 use nalgebra::{Matrix3, Point3, Vector3};
 
 /// How thick a floor is, as a share of the cameras' distance. By hand: not on record.
@@ -29,13 +30,8 @@ pub(crate) fn floor(
     }
     let thick = THICK_SHARE * reach;
     let height = |p: &Point3<f64>, normal: &Vector3<f64>| (p - origin).dot(normal);
-    let mut dice = 1u64;
-    let mut draw = || {
-        dice = dice
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        near[((dice >> 33) as usize) % near.len()]
-    };
+    let mut place = draws(1, near.len());
+    let mut draw = || near[place()];
     let mut best: Option<(usize, Vector3<f64>, f64)> = None;
     for _ in 0..4000 {
         let (a, b, c) = (draw(), draw(), draw());

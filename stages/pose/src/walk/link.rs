@@ -1,5 +1,6 @@
 //! The stage that follows features over photos in any order.
 
+use crate::calibration::prior::enlargement;
 use crate::features::tracks::TracksParams;
 use crate::walk::chains::{Link, chained};
 use crate::walk::error::WalkError;
@@ -111,11 +112,9 @@ impl Stage for LinkUp {
     fn run(p: &LinkParams, input: LinkInput, ctx: &Ctx<'_>) -> Result<Tracks, Stop> {
         let views: Vec<(PhotoId, &Features)> = input.keypoints.views.iter().collect();
         let n = views.len();
-        let longest = input.photos.photos.iter().map(|p| p.width.max(p.height));
-        let size = f64::from(longest.max().unwrap_or(0)) / 2400.0;
         let full = Rules {
             ratio: p.ratio,
-            epipolar_px: p.epipolar_px * size.max(1.0),
+            epipolar_px: p.epipolar_px * enlargement(&input.photos),
             still_px: p.still_px,
             least: p.least as usize,
             share: p.least_share,

@@ -1,11 +1,13 @@
 //! One more photo among known points: three points at a time, and all that agree where more do than
 //! before (LO-RANSAC; Chum, Matas and Kittler 2003).
 
+use crate::adjust::damped::pose_moved;
 use crate::adjust::lens::LENS;
 use crate::adjust::residual::derivatives;
+use crate::two_view::epipolar::draws;
 use crate::walk::model::Model;
 use crate::walk::p3p::three_points;
-use nalgebra::{Matrix6, Point3, Rotation3, Vector3, Vector6};
+use nalgebra::{Matrix6, Point3, Vector3, Vector6};
 use shape::{Camera, Intrinsics, Pose};
 
 /// A known point, and where the photo shows it. \[px\]
@@ -39,13 +41,7 @@ pub(crate) fn registered(lens: &Intrinsics, known: &[Known], samples: &Samples) 
         Vector3::new(p.x, p.y, 1.0).normalize()
     };
     let rays: Vec<Vector3<f64>> = known.iter().map(|(_, px)| ray(*px)).collect();
-    let mut dice = samples.seed;
-    let mut draw = || {
-        dice = dice
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((dice >> 33) as usize) % known.len()
-    };
+    let mut draw = draws(samples.seed, known.len());
     let count = |pose: &Pose, most: f64| agreeing(lens, pose, known, most).count();
     let mut best: Option<Placed> = None;
     let (mut need, mut done) = (samples.rounds, 0);
@@ -110,9 +106,7 @@ fn polished(lens: &Intrinsics, start: &Pose, known: &[Known], loss_px: f64) -> P
         let Some(step) = h.cholesky().map(|c| c.solve(&g)) else {
             break;
         };
-        pose.rotation = Rotation3::new(Vector3::new(step[0], step[1], step[2])) * pose.rotation;
-        pose.rotation.renormalize();
-        pose.translation += Vector3::new(step[3], step[4], step[5]);
+        pose = pose_moved(&pose, step.as_slice());
     }
     pose
 }
@@ -120,6 +114,7 @@ fn polished(lens: &Intrinsics, start: &Pose, known: &[Known], loss_px: f64) -> P
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::Rotation3;
 
     #[test]
     fn a_wide_camera_is_found_though_half_of_the_points_are_wrong() {

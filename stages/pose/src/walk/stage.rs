@@ -1,7 +1,8 @@
 //! The stage that finds the cameras of a walk.
 
 use crate::calibration::params::CalibrateParams;
-use crate::frame::circle::moved;
+use crate::calibration::prior::enlargement;
+use crate::frame::circle::{RING_MM, moved};
 use crate::walk::adjust::Terms;
 use crate::walk::error::WalkError;
 use crate::walk::finish::{Finished, finished};
@@ -137,7 +138,7 @@ impl Stage for Walk {
         let missing = grown.missing();
         enough(photos, &missing, p)?;
         let done = finished(grown, &growth, p.most_tracks as usize, p.steps as usize);
-        let most = p.most_px * size(photos);
+        let most = p.most_px * enlargement(photos);
         if done.rms_px > most {
             return Err(WalkError::Loose {
                 rms: done.rms_px,
@@ -172,16 +173,10 @@ fn widths(p: &WalkParams) -> Widths {
     }
 }
 
-/// How many times more pixels the photos have along a side than what bounds in pixels are for.
-fn size(photos: &Photos) -> f64 {
-    let longest = photos.photos.iter().map(|p| p.width.max(p.height)).max();
-    (f64::from(longest.unwrap_or(0)) / 2400.0).max(1.0)
-}
-
 /// How its cameras grow.
 pub(crate) fn growth(p: &WalkParams, photos: &Photos, groups: &Groups) -> Growth {
     Growth {
-        near_px: p.near_px * size(photos),
+        near_px: p.near_px * enlargement(photos),
         spread: true,
         least: p.least as usize,
         share: p.least_share,
@@ -217,9 +212,6 @@ fn enough(photos: &Photos, missing: &[PhotoId], p: &WalkParams) -> Result<(), Wa
             .join(", "),
     })
 }
-
-/// What cameras are called when their millimetres are unknown: their mean distance from the axis (structural: a unit).
-const RING_MM: f64 = 1000.0;
 
 /// The cameras of upright photos, in the frame of the walk.
 fn placed(photos: &Photos, done: &Finished, ctx: &Ctx<'_>) -> Result<Cameras, WalkError> {
