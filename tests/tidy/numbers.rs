@@ -17,7 +17,7 @@ const CONSTANTS_BY_HAND: [ByHand; 12] = [
     ("io", [0, 4]),
     ("measure", [49, 20]),
     ("person", [2, 0]),
-    ("pose", [3, 54]),
+    ("pose", [4, 53]),
     ("refine", [1, 1]),
     ("report", [0, 3]),
     ("shape", [6, 4]),

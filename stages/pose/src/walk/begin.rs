@@ -8,7 +8,8 @@ use rayon::prelude::*;
 use shape::triangulate;
 use shape::{Intrinsics, PhotoId};
 
-/// Fewest points of a beginning. By hand: not on record.
+/// Fewest points of a beginning. By hand: looked at a camera that only turned on the spot, which by 20 points was a walk;
+/// two walks and eleven turns come out the same by 20 and by 30.
 const LEAST_POINTS: usize = 30;
 /// How many pairs are looked at (structural: the width of a search).
 const PAIRS: usize = 40;
