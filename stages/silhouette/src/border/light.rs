@@ -58,6 +58,25 @@ impl Light {
     }
 }
 
+/// The mean of light.
+#[derive(Default)]
+pub(crate) struct Mean {
+    sum: Shown,
+    count: f32,
+}
+
+impl Mean {
+    pub(crate) fn add(&mut self, light: Shown) {
+        (0..3).for_each(|c| self.sum[c] += light[c]);
+        self.count += 1.0;
+    }
+
+    /// [`None`] of nothing.
+    pub(crate) fn mean(&self) -> Option<Shown> {
+        (self.count > 0.0).then(|| self.sum.map(|c| c / self.count))
+    }
+}
+
 /// How a pixel is mixed of body and background.
 pub(crate) struct Mixing {
     /// How much of it is body, 0 to 1.

@@ -7,7 +7,7 @@
 //! `p(I | side) = ∫ N(I; a F + (1 - a) B, σ²) da` over that side's shares.
 //! How far either side is follows from how wide borders of the photo are.
 
-use crate::border::light::{Light, Shown};
+use crate::border::light::{Light, Mean, Shown};
 use crate::cut::least_cut::{Known, Window};
 use crate::cut::maxflow::STEPS;
 use crate::label::color_cut::OWN_NATS;
@@ -175,18 +175,15 @@ impl<'a> Sides<'a> {
         if !inside(x, photo.width) || !inside(y, photo.height) || !is(index(x, y)) {
             return None;
         }
-        let (mut sums, mut count) = ([[0.0; 3]; 2], 0.0);
+        let (mut shown, mut without) = (Mean::default(), Mean::default());
         for (x, y) in (y - 1..y + 2).flat_map(|y| (x - 1..x + 2).map(move |x| (x, y))) {
             if inside(x, photo.width) && inside(y, photo.height) && is(index(x, y)) {
-                for (sum, image) in sums.iter_mut().zip([photo, expected]) {
-                    let light = self.light.at(image, x as usize, y as usize);
-                    (0..3).for_each(|c| sum[c] += light[c]);
-                }
-                count += 1.0;
+                let light = |image| self.light.at(image, x as usize, y as usize);
+                shown.add(light(photo));
+                without.add(light(expected));
             }
         }
-        let [shown, expected] = sums.map(|sum| sum.map(|light| light / count));
-        Some((shown, expected))
+        Some((shown.mean()?, without.mean()?))
     }
 
     /// A pixel as a mixture of the body's light and the background's under so much of its light.

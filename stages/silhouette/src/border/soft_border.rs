@@ -5,7 +5,7 @@
 //! bright one. The body's light F is taken from beside it, the background B is known or, where nobody saw it,
 //! taken from beside as well, and `a` follows. Where F and B are alike, the cut's own border is smoothed instead.
 
-use crate::border::light::{Light, Mixing, Shown};
+use crate::border::light::{Light, Mean, Mixing, Shown};
 use crate::likelihood::background::Noise;
 use crate::raster::as_mask;
 use crate::scene::backdrop::{Backdrop, SHY};
@@ -99,24 +99,6 @@ impl Beside<'_> {
     fn seen(&self, x: usize, y: usize) -> Option<Shown> {
         let without = self.without.filter(|without| without.seen.at(x, y))?;
         Some(self.light.at(&without.image, x, y))
-    }
-}
-
-/// The mean of light.
-#[derive(Default)]
-struct Mean {
-    sum: Shown,
-    count: f32,
-}
-
-impl Mean {
-    fn add(&mut self, light: Shown) {
-        (0..3).for_each(|c| self.sum[c] += light[c]);
-        self.count += 1.0;
-    }
-
-    fn mean(&self) -> Option<Shown> {
-        (self.count > 0.0).then(|| self.sum.map(|c| c / self.count))
     }
 }
 
