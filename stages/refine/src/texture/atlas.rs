@@ -1,46 +1,8 @@
-//! Charts of one photo each, packed onto one picture.
+//! Charts, flattened and packed onto one picture.
 
-use crate::texture::labels::neighbours;
+use crate::texture::charts::Chart;
 use nalgebra::{Point2, Point3, Vector3};
 use shape::{Camera, Mesh, PhotoId};
-
-/// Faces side by side that take their colours from one photo.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Chart {
-    /// The photo; [`NOWHERE`](crate::texture::labels::NOWHERE) for faces that none shows.
-    pub photo: u16,
-    /// The faces, ascending.
-    pub faces: Vec<u32>,
-}
-
-/// Groups faces into charts, in the order of their least face.
-pub fn charts(mesh: &Mesh, labels: &[u16]) -> Vec<Chart> {
-    let beside = neighbours(mesh);
-    let mut taken = vec![false; labels.len()];
-    let mut charts = Vec::new();
-    for first in 0..labels.len() {
-        if taken[first] {
-            continue;
-        }
-        let (mut faces, mut at) = (vec![first as u32], 0);
-        taken[first] = true;
-        while let Some(f) = faces.get(at).copied() {
-            at += 1;
-            for g in &beside[f as usize] {
-                if !taken[*g as usize] && labels[*g as usize] == labels[first] {
-                    taken[*g as usize] = true;
-                    faces.push(*g);
-                }
-            }
-        }
-        faces.sort_unstable();
-        charts.push(Chart {
-            photo: labels[first],
-            faces,
-        });
-    }
-    charts
-}
 
 /// What a chart is flattened onto.
 pub enum Sheet<'a> {
@@ -116,7 +78,7 @@ pub fn packed(sizes: &[[f64; 2]], side: usize, margin: usize) -> (Vec<[usize; 2]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::texture::labels::NOWHERE;
+    use crate::texture::charts::{NOWHERE, charts, neighbours};
 
     #[test]
     fn boxes_are_apart_and_within_the_square() {
@@ -140,38 +102,13 @@ mod tests {
     }
 
     #[test]
-    fn every_face_is_on_one_chart() {
-        let mesh = crate::geometry::solids::sphere(10.0, 3);
-        let labels: Vec<u16> = (0..mesh.faces.len())
-            .map(|f| {
-                if mesh.triangle(f)[0].z > 0.0 {
-                    0
-                } else if f % 7 == 0 {
-                    NOWHERE
-                } else {
-                    1
-                }
-            })
-            .collect();
-        let charts = charts(&mesh, &labels);
-        let mut all: Vec<u32> = charts.iter().flat_map(|c| c.faces.clone()).collect();
-        all.sort_unstable();
-        assert!(all.iter().copied().eq(0..mesh.faces.len() as u32));
-        assert!(
-            charts
-                .iter()
-                .all(|c| c.faces.iter().all(|f| labels[*f as usize] == c.photo))
-        );
-    }
-
-    #[test]
     fn what_no_photo_shows_is_laid_flat() {
         let mesh = crate::geometry::solids::sphere(10.0, 4);
         let below = |f: usize| mesh.triangle(f).iter().all(|x| x.z < -9.0);
         let labels: Vec<u16> = (0..mesh.faces.len())
             .map(|f| if below(f) { NOWHERE } else { 0 })
             .collect();
-        let charts = charts(&mesh, &labels);
+        let charts = charts(&neighbours(&mesh), &labels);
         let sole = charts.iter().find(|c| c.photo == NOWHERE).unwrap();
         assert!(sole.faces.len() > 20);
         let sheet = Sheet::new(&mesh, sole, &[]);

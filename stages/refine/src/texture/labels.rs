@@ -2,12 +2,11 @@
 
 use crate::pictures::depth::DepthMap;
 use crate::pictures::picture::Picture;
+use crate::texture::charts::{NOWHERE, neighbours};
+use crate::texture::seams::give_to_photos_beside;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::Mesh;
-
-/// No photo shows the face (structural).
-pub const NOWHERE: u16 = u16::MAX;
 
 /// For each face the picture that shows it best, and is best for its neighbours too: the fewer
 /// seams, the better. [`NOWHERE`] where no picture shows all three corners well inside of its
@@ -52,6 +51,8 @@ pub fn labels(mesh: &Mesh, pictures: &[Picture], rounds: usize) -> Vec<u16> {
         top.map_or(NOWHERE, |q| q.0)
     };
     let beside = neighbours(mesh);
+    // What a seam along an edge costs, as a cosine.
+    let seam = 0.25;
     let mut labels: Vec<u16> = (0..mesh.faces.len()).map(|f| best(f, &|_| 0.0)).collect();
     for _ in 0..rounds {
         let next = (0..labels.len()).into_par_iter().map(|f| {
@@ -61,10 +62,11 @@ pub fn labels(mesh: &Mesh, pictures: &[Picture], rounds: usize) -> Vec<u16> {
                     .filter(|g| labels[**g as usize] == label)
                     .count()
             };
-            best(f, &|label| 0.25 * like(label) as f32)
+            best(f, &|label| seam * like(label) as f32)
         });
         labels = next.collect();
     }
+    give_to_photos_beside(&mut labels, &quality, &beside, f64::from(seam));
     labels
 }
 
@@ -75,21 +77,4 @@ fn shows(picture: &Picture, map: &DepthMap, x: &Point3<f64>) -> bool {
     };
     let body = picture.inside_px(at).is_none_or(|d| d > 2.0);
     body && picture.holds(at, 3.0) && map.shows(picture, x, 4.0 * picture.footprint(depth))
-}
-
-/// The faces across each face's edges.
-pub fn neighbours(mesh: &Mesh) -> Vec<Vec<u32>> {
-    let mut half: Vec<(u32, u32, u32)> = Vec::with_capacity(mesh.faces.len() * 3);
-    for (f, &[a, b, c]) in mesh.faces.iter().enumerate() {
-        half.extend([(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b), f as u32)));
-    }
-    half.sort_unstable();
-    let mut beside = vec![Vec::with_capacity(3); mesh.faces.len()];
-    for pair in half.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-        if let [a, b] = pair {
-            beside[a.2 as usize].push(b.2);
-            beside[b.2 as usize].push(a.2);
-        }
-    }
-    beside
 }

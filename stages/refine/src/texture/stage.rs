@@ -3,8 +3,9 @@
 use crate::pictures::picture::Picture;
 use crate::pictures::turn::{PhotoSize, TurnInput};
 use crate::texture::ahead::Ahead;
-use crate::texture::atlas::{Sheet, charts, packed};
-use crate::texture::labels::{NOWHERE, labels};
+use crate::texture::atlas::{Sheet, packed};
+use crate::texture::charts::{NOWHERE, charts, neighbours};
+use crate::texture::labels::labels;
 use nalgebra::{Point2, SVector, Vector3};
 use rayon::prelude::*;
 use shape::{Adjacency, Camera, LOOKED_AT_MPX, Mesh, PhotoId, Photos, Rgb, Textured};
@@ -43,7 +44,7 @@ const SMALL: PhotoSize = PhotoSize {
 
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
     type Params = TextureParams;
     type Input = TextureInput;
@@ -72,7 +73,7 @@ impl Stage for Texture {
             .collect();
         let small = input.pictures(&SMALL, || ctx.check().map_err(Stop::from))?;
         let labels = labels(&mesh, &small, p.rounds as usize);
-        let charts = charts(&mesh, &labels);
+        let charts = charts(&neighbours(&mesh), &labels);
         let VertexColours { own, mean } = vertex_colours(&mesh, &labels, &photos, &views, &small)?;
         let sheet = |c| Sheet::new(&mesh, c, &views);
         let sheets: Vec<Sheet<'_>> = charts.iter().map(sheet).collect();
