@@ -2,7 +2,7 @@
 
 use crate::alike::{not_one_turn, one_size};
 use crate::date::day_of;
-use crate::enough::{as_many_as_promised, enough, thinned};
+use crate::enough::{as_many_as_promised, enough, one_of_each, thinned};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
@@ -45,6 +45,10 @@ stage::params! {
         #[range(1..=100)]
         #[source(structural)]
         keep: u32 = 1,
+        /// Of a turn of n times so many photos one of each n is taken; 0 takes all.
+        #[range(0..=5000)]
+        #[source(structural)]
+        keep_about: u32 = 0,
         /// Of more photos than this the sharpest of as many even stretches are taken.
         #[range(3..=5000)]
         #[source(structural)]
@@ -266,14 +270,10 @@ fn chosen<T: Sync>(
     ctx: &Ctx<'_>,
 ) -> Result<(Vec<T>, Option<usize>), Stop> {
     as_many_as_promised(turn.len(), copies, known.views)?;
-    let (keep, of) = (p.keep.min(p.of) as usize, p.of as usize);
-    let turn = thinned(turn, keep, of);
+    let (turn, even) = thinned(turn, [p.keep, p.of].map(|n| n as usize));
+    let (turn, each) = one_of_each(turn, p.keep_about as usize);
+    let even = even.map(|steps| steps * each);
     enough(turn.len(), copies, p.fewest)?;
-    let even = match (keep == of, keep) {
-        (true, _) => Some(1),
-        (false, 1) => Some(of),
-        _ => None,
-    };
     let most = p.most as usize;
     if turn.len() <= most {
         return Ok((turn, even));
