@@ -50,7 +50,7 @@ pub struct Calibrate;
 
 impl Stage for Calibrate {
     const NAME: &'static str = "pose.calibrate";
-    const VERSION: u32 = 19;
+    const VERSION: u32 = 20;
     const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
     type Params = CalibrateParams;
     type Input = CalibrateInput;
@@ -118,7 +118,7 @@ impl Stage for Calibrate {
             .next()
             .map_or(lens, |v| v.camera.lens);
         ctx.metric("focal", lens.focal[0], "px");
-        ctx.metric("focal sigma", fit.lens_sigma[0], "px");
+        ctx.metric("focal sigma", fit.lens_sigmas[0][0], "px");
         if let Some(sigma) = cameras.scale_sigma {
             ctx.metric("scale sigma", sigma * 100.0, "%");
         }

@@ -11,7 +11,7 @@
 //! | folder | what | knows |
 //! |---|---|---|
 //! | `calibrate` | the stage: with a mat, or without one | `mat`, `ring` |
-//! | `mat` | cameras from a marker mat; the mat on paper | `calibration`, `two_view` |
+//! | `mat` | cameras from a marker mat; the mat on paper | `calibration`, `two_view`, `adjust` |
 //! | `ring` | cameras from features alone | `walk`, `calibration`, `two_view`, `frame` |
 //! | `walk` | cameras that were walked around a subject, or are in no order | `calibration`, `two_view`, `features`, `adjust`, `frame` |
 //! | `features` | features and tracks | `calibration`, `two_view` |
@@ -20,7 +20,7 @@
 //! | `import` | other people's cameras | `frame` |
 //! | `frame` | the turntable frame and its scale | |
 //! | `tags` | marker tags on photos | |
-//! | `two_view` | geometry of two photos, of one camera, of one point | |
+//! | `two_view` | geometry of two photos, of one camera, of one point | `adjust` |
 
 mod adjust;
 mod calibrate;
@@ -34,11 +34,11 @@ mod tags;
 mod two_view;
 mod walk;
 
-pub use adjust::bundle::{Fit, adjust};
+pub use adjust::belief::{Beliefs, Steps};
+pub use adjust::bundle::{Settings, adjusted};
 pub use adjust::lens::{LENS, LensPrior};
-pub use adjust::residual::{Derivatives, derivatives};
 pub use adjust::ring::Ring;
-pub use adjust::scene::{Beliefs, PointObservation, Scene, Settings, Steps, cost};
+pub use adjust::scene::{PointObservation, Scene, Shot};
 pub use calibrate::{Calibrate, CalibrateError, CalibrateInput};
 pub use calibration::params::{CalibrateParams, Motion};
 pub use features::describe::describe;
@@ -76,10 +76,8 @@ pub use tags::find::{FindTags, NoDetector, TagsInput, TagsParams};
 pub use two_view::background_shift::{BackgroundShift, background_shift};
 pub use two_view::epipolar::{agreeing, agreeing_through, fundamental, sampson};
 pub use two_view::five_point::{Both, essentials};
-pub use walk::adjust::{Terms, adjust_model};
 pub use walk::error::WalkError;
 pub use walk::link::{LinkInput, LinkParams, LinkUp};
-pub use walk::model::{Model as WalkModel, Shot, Spot};
 pub use walk::stage::{Walk, WalkInput, WalkParams};
 pub use walk::world::{World as WalkWorld, world as walk_world};
 

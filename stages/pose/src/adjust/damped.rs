@@ -1,7 +1,7 @@
 //! Levenberg–Marquardt: steps of damped normal equations that only ever lower a cost (Madsen, Nielsen
 //! and Tingleff 2004, §3.2).
 
-use nalgebra::{DMatrix, DVector, Rotation3, SMatrix, Vector3};
+use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use shape::Pose;
 
 /// Weight of a direction that is kept where it is, in standard deviations of its own size.
@@ -94,24 +94,9 @@ pub(crate) fn cauchy(squared: Option<f64>, c2: f64) -> f64 {
     squared.map_or(BEHIND, |s| c2 * libm::log1p(s / c2))
 }
 
-/// Derivative of a camera's centre −Rᵀ t by a step of its pose, R ← exp(ω) R and t ← t + τ:
-/// Rᵀ ([−t]× ω − τ).
-pub(crate) fn centre_by_pose(pose: &Pose) -> SMatrix<f64, 3, 6> {
-    let mut j = SMatrix::<f64, 3, 6>::zeros();
-    let cross = pose.translation.cross_matrix();
-    j.fixed_view_mut::<3, 3>(0, 0).copy_from(&-cross);
-    j.fixed_view_mut::<3, 3>(0, 3)
-        .copy_from(&-nalgebra::Matrix3::identity());
-    pose.rotation.matrix().transpose() * j
-}
-
-/// Standard deviation of a camera's centre, a coordinate's root mean square, from the covariance of
-/// its pose.
-pub(crate) fn centre_sigma(pose: &Pose, covariance: &SMatrix<f64, 6, 6>) -> f64 {
-    let j = centre_by_pose(pose);
-    ((j * covariance * j.transpose()).trace() / 3.0)
-        .max(0.0)
-        .sqrt()
+/// What a squared residual weighs by that loss.
+pub(crate) fn weight(squared: f64, c2: f64) -> f64 {
+    1.0 / (1.0 + squared / c2)
 }
 
 /// The camera farthest from the first: its place, how its translation changes as it goes farther away, how far it is.

@@ -14,16 +14,6 @@ pub struct LensPrior {
     pub sigma: [f64; LENS],
 }
 
-impl LensPrior {
-    /// What a lens costs.
-    pub(crate) fn cost(&self, lens: &Intrinsics) -> f64 {
-        let values = lens_values(lens);
-        (0..LENS)
-            .map(|i| ((values[i] - self.mean[i]) / self.sigma[i]).powi(2))
-            .sum()
-    }
-}
-
 /// The lens' unknowns as numbers.
 pub(crate) fn lens_values(lens: &Intrinsics) -> [f64; LENS] {
     [

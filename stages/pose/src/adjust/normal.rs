@@ -1,10 +1,12 @@
 //! The normal equations of an adjustment with its points eliminated (the Schur complement; Triggs,
 //! McLauchlan, Hartley and Fitzgibbon 1999, §6.1), whatever its other unknowns are.
 
+use crate::adjust::belief::Term;
+use crate::adjust::damped::weight;
+use crate::adjust::places::Way;
+use crate::adjust::residual::SHOT;
 use nalgebra::{DMatrix, DVector, Matrix2x3, Matrix3, SMatrix, Vector2, Vector3};
 
-/// Most unknowns side by side: rotation, translation and zoom of a photo (structural: 3 + 3 + 1).
-const WIDEST: usize = 7;
 /// Added to the diagonal of a point's own block, so that a point seen once has an inverse.
 /// It is structural: above what doubles round.
 const POINT_FLOOR: f64 = 1e-15;
@@ -13,18 +15,27 @@ const POINT_FLOOR: f64 = 1e-15;
 pub(crate) struct Block {
     at: usize,
     count: usize,
-    by: SMatrix<f64, 2, WIDEST>,
+    by: SMatrix<f64, 2, SHOT>,
 }
 
 impl Block {
     /// By the unknowns from `at` on.
     pub(crate) fn new<const N: usize>(at: usize, by: &SMatrix<f64, 2, N>) -> Block {
-        let mut wide = SMatrix::<f64, 2, WIDEST>::zeros();
+        let mut wide = SMatrix::<f64, 2, SHOT>::zeros();
         wide.fixed_columns_mut::<N>(0).copy_from(by);
         Block {
             at,
             count: N,
             by: wide,
+        }
+    }
+
+    /// By unknowns that move a shot, from the derivatives by what they move.
+    pub(crate) fn of_shot(way: &Way, by: &SMatrix<f64, 2, SHOT>) -> Block {
+        Block {
+            at: way.at,
+            count: way.count,
+            by: way.by(by),
         }
     }
 }
@@ -33,7 +44,7 @@ impl Block {
 struct Coupling {
     at: usize,
     count: usize,
-    w: SMatrix<f64, WIDEST, 3>,
+    w: SMatrix<f64, SHOT, 3>,
 }
 
 /// A free point: what its own step follows from.
@@ -47,7 +58,7 @@ pub(crate) struct Point {
 }
 
 impl Point {
-    fn couple(&mut self, block: &Block, w: SMatrix<f64, WIDEST, 3>) {
+    fn couple(&mut self, block: &Block, w: SMatrix<f64, SHOT, 3>) {
         match self.couplings.binary_search_by_key(&block.at, |c| c.at) {
             Ok(known) => self.couplings[known].w += w,
             Err(place) => self.couplings.insert(
@@ -89,7 +100,7 @@ impl Normal {
         point: Option<(&mut Point, &Matrix2x3<f64>)>,
         c2: f64,
     ) {
-        let weight = 1.0 / (1.0 + residual.norm_squared() / c2);
+        let weight = weight(residual.norm_squared(), c2);
         for a in blocks {
             let step = a.by.transpose() * residual * weight;
             (0..a.count).for_each(|i| self.right[a.at + i] -= step[i]);
@@ -141,6 +152,16 @@ impl Normal {
     pub(crate) fn complete(mut self) -> Normal {
         self.matrix.fill_upper_triangle_with_lower_triangle();
         self
+    }
+
+    /// Adds what is believed.
+    pub(crate) fn believe(&mut self, term: &Term) {
+        for (i, a) in &term.by {
+            self.right[*i] -= term.weight * term.off * a;
+            for (j, b) in &term.by {
+                self.matrix[(*i, *j)] += a * b * term.weight;
+            }
+        }
     }
 
     /// The step of each free point that follows from a step of the reduced unknowns.

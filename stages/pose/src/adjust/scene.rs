@@ -1,17 +1,37 @@
-//! What is adjusted, what was seen of it, what is believed of it, and the cost of all that.
+//! What is adjusted, and what was seen of it.
 
-use crate::adjust::damped::cauchy;
-use crate::adjust::lens::LensPrior;
-use crate::adjust::residual::{Derivatives, derivatives};
-use crate::adjust::rim::{OnRim, RimBelief};
+use crate::adjust::residual::{MEDIAN_SIGMAS, off_px};
+use crate::adjust::rim::OnRim;
 use crate::adjust::ring::Ring;
 use nalgebra::Point3;
-use shape::{Camera, Intrinsics, Pose};
+use shape::{Camera, Intrinsics, PhotoId, Pose, upper_median};
+
+/// A photo that has a camera.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shot {
+    /// The photo that it took.
+    pub photo: PhotoId,
+    /// Its lens, by its place in [`Scene::lenses`].
+    pub lens: usize,
+    /// camera_from_world.
+    pub pose: Pose,
+    /// How much longer its focal length is than its lens', as a share: what focusing does.
+    pub zoom: f64,
+}
+
+/// A point, and the shots that show it: their places, pixels.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Spot {
+    /// The point's place.
+    pub(crate) at: Point3<f64>,
+    /// What shows it where.
+    pub(crate) observations: Vec<(usize, [f64; 2])>,
+}
 
 /// Where a camera sees a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointObservation {
-    /// The camera, by its place in [`Scene::poses`].
+    /// The camera, by its place in [`Scene::shots`].
     pub camera: usize,
     /// The point, by its place in [`Scene::points`].
     pub point: usize,
@@ -22,15 +42,15 @@ pub struct PointObservation {
 }
 
 /// All that is adjusted.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scene {
-    /// The lens that all cameras share.
-    pub lens: Intrinsics,
-    /// camera_from_world of each camera.
-    pub poses: Vec<Pose>,
-    /// Where the cameras are bound to a turn about one axis: it; the poses follow from it.
+    /// The lenses.
+    pub lenses: Vec<Intrinsics>,
+    /// The cameras.
+    pub shots: Vec<Shot>,
+    /// Where the cameras are bound to a turn about one axis: it; their poses follow from it.
     pub ring: Option<Ring>,
-    /// Points in the world. \[mm\]
+    /// Points in the world.
     pub points: Vec<Point3<f64>>,
     /// Points before this one are known and stay; those from it on are free.
     pub known: usize,
@@ -38,70 +58,81 @@ pub struct Scene {
     pub(crate) rim: Option<OnRim>,
 }
 
-/// What is believed before anything is seen.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Beliefs {
-    /// What is believed of the lens.
-    pub lens: LensPrior,
-    /// Of a ring: how far it turned from photo to photo.
-    pub steps: Option<Steps>,
-    /// Of tags on the disk's rim.
-    pub(crate) rim: Option<RimBelief>,
+impl Scene {
+    /// Cameras that share one lens, without points.
+    pub fn of_one_lens(
+        lens: Intrinsics,
+        shots: impl IntoIterator<Item = (PhotoId, Pose)>,
+    ) -> Scene {
+        let shot = |(photo, pose)| Shot {
+            photo,
+            lens: 0,
+            pose,
+            zoom: 0.0,
+        };
+        Scene {
+            lenses: vec![lens],
+            shots: shots.into_iter().map(shot).collect(),
+            ..Scene::default()
+        }
+    }
+
+    /// The camera of a shot.
+    pub fn camera(&self, shot: usize) -> Camera {
+        let shot = &self.shots[shot];
+        let lens = &self.lenses[shot.lens];
+        Camera {
+            lens: Intrinsics {
+                focal: lens.focal.map(|f| f * (1.0 + shot.zoom)),
+                ..*lens
+            },
+            pose: shot.pose,
+        }
+    }
+
+    /// All cameras.
+    pub(crate) fn cameras(&self) -> Vec<Camera> {
+        (0..self.shots.len()).map(|s| self.camera(s)).collect()
+    }
+
+    /// Points, all of them free, in place of those there are; what was seen of them.
+    pub(crate) fn filled<'a>(
+        &mut self,
+        spots: impl IntoIterator<Item = &'a Spot>,
+        sigma_px: f64,
+    ) -> Vec<PointObservation> {
+        self.points.clear();
+        let mut seen = Vec::new();
+        for spot in spots {
+            let point = self.points.len();
+            self.points.push(spot.at);
+            let one = |(camera, at_px): &(usize, [f64; 2])| PointObservation {
+                camera: *camera,
+                point,
+                at_px: *at_px,
+                sigma_px,
+            };
+            seen.extend(spot.observations.iter().map(one));
+        }
+        seen
+    }
 }
 
-/// A belief about the turns of a ring.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Steps {
-    /// Between each photo and the next. \[rad\]
-    pub turns: Vec<f64>,
-    /// Standard deviation of each. \[rad\]
-    pub sigma: f64,
-}
-
-/// How to adjust.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
-    /// Residuals beyond this many standard deviations lose weight (Cauchy's c).
-    pub loss: f64,
-    /// Most steps.
-    pub steps: usize,
-    /// A step that lowers the cost by less than this share is the last.
-    pub gain: f64,
-}
-
-/// Residual of an observation in standard deviations, with derivatives. `None` behind the camera.
-pub(crate) fn look(scene: &Scene, observation: &PointObservation) -> Option<Derivatives> {
-    let camera = Camera {
-        lens: scene.lens,
-        pose: scene.poses[observation.camera],
+/// How far each observation is from where its point projects; infinite behind the camera. \[px\]
+pub(crate) fn offs(scene: &Scene, observations: &[PointObservation]) -> Vec<f64> {
+    let cameras = scene.cameras();
+    let off = |o: &PointObservation| {
+        off_px(&cameras[o.camera], &scene.points[o.point], o.at_px).unwrap_or(f64::INFINITY)
     };
-    derivatives(
-        &camera,
-        &scene.points[observation.point],
-        observation.at_px,
-        observation.sigma_px,
-    )
+    observations.iter().map(off).collect()
 }
 
-/// The cost that is minimised.
-pub fn cost(scene: &Scene, observations: &[PointObservation], beliefs: &Beliefs, loss: f64) -> f64 {
-    let c2 = loss * loss;
-    let seen: f64 = observations
-        .iter()
-        .map(|o| cauchy(look(scene, o).map(|d| d.residual.norm_squared()), c2))
-        .sum();
-    let steps: f64 = match (&scene.ring, &beliefs.steps) {
-        (Some(ring), Some(steps)) => ring
-            .angles
-            .windows(2)
-            .zip(&steps.turns)
-            .map(|(a, turn)| ((a[1] - a[0] - turn) / steps.sigma).powi(2))
-            .sum(),
-        _ => 0.0,
-    };
-    let rim: f64 = match (&scene.rim, &beliefs.rim) {
-        (Some(rim), Some(b)) => rim.beliefs(b).map(|(v, s)| (v / s).powi(2)).sum(),
-        _ => 0.0,
-    };
-    seen + beliefs.lens.cost(&scene.lens) + steps + rim
+/// Median distance between observations and projections. \[px\]
+pub(crate) fn median_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
+    upper_median(offs(scene, observations)).unwrap_or(0.0)
+}
+
+/// Standard deviation of observations, by the median. \[px\]
+pub(crate) fn scatter_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
+    median_px(scene, observations) / MEDIAN_SIGMAS
 }

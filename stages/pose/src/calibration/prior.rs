@@ -1,7 +1,7 @@
 //! What is believed of the lens, from EXIF, capture.toml and params, and how adjustments go.
 
+use crate::adjust::bundle::Settings;
 use crate::adjust::lens::{LensPrior, lens_values};
-use crate::adjust::scene::Settings;
 use crate::calibration::params::CalibrateParams;
 use shape::{Intrinsics, Photos, Rig, film_to_px};
 

@@ -2,10 +2,10 @@
 
 use crate::adjust::bundle::Fit;
 use crate::adjust::lens::LensPrior;
-use crate::adjust::scene::{PointObservation, Scene};
+use crate::adjust::scene::{PointObservation, Scene, Shot, offs};
 use crate::calibration::prior::knows_focal;
 use nalgebra::Vector3;
-use shape::{Camera, Cameras, PhotoId, Photos, Pose, View, upper_median};
+use shape::{ByPhoto, Cameras, Photos, View, upper_median};
 use stage::{Message, message};
 
 stage::messages! {
@@ -22,57 +22,41 @@ stage::messages! {
     OTHER_STEP = "warn-other-step": "between {before} and {after} the disk turned by {turn:.0 °}, by {usual:.0 °} between most photos: is a photo missing there, or out of its place?";
 }
 
-/// Median distance between observations and projections. \[px\]
-pub(crate) fn median_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
-    let off = |s: &PointObservation| {
-        let camera = Camera {
-            lens: scene.lens,
-            pose: scene.poses[s.camera],
-        };
-        let at = camera.project(&scene.points[s.point]);
-        at.map_or(f64::MAX, |at| {
-            libm::hypot(at.x - s.at_px[0], at.y - s.at_px[1])
-        })
-    };
-    upper_median(observations.iter().map(off)).unwrap_or(0.0)
-}
-
-/// A photo's camera as it was found, with how far to trust it.
-pub(crate) fn view(
+/// Each photo's camera as it was found, with how far to trust it.
+pub(crate) fn views(
     photos: &Photos,
-    id: PhotoId,
-    camera: usize,
     scene: &Scene,
     observations: &[PointObservation],
     fit: &Fit,
-) -> View {
-    let own: Vec<PointObservation> = observations
-        .iter()
-        .filter(|s| s.camera == camera)
-        .copied()
-        .collect();
-    View {
-        name: photos.get(id).map_or(String::new(), |p| p.name.clone()),
-        camera: Camera {
-            lens: scene.lens,
-            pose: scene.poses[camera],
-        },
-        sigma_mm: fit.sigma_mm[camera].filter(|mm| mm.is_finite()),
-        rms_px: (!own.is_empty()).then(|| median_px(scene, &own)),
-        points: own.len() as u32,
-    }
+) -> ByPhoto<View> {
+    let mut own: Vec<Vec<f64>> = vec![Vec::new(); scene.shots.len()];
+    let all = offs(scene, observations).into_iter().zip(observations);
+    all.for_each(|(off, o)| own[o.camera].push(off));
+    let view = |((s, shot), own): ((usize, &Shot), Vec<f64>)| {
+        let photo = photos.get(shot.photo);
+        let view = View {
+            name: photo.map_or(String::new(), |p| p.name.clone()),
+            camera: scene.camera(s),
+            sigma_mm: fit.sigma_mm[s].filter(|mm| mm.is_finite()),
+            points: own.len() as u32,
+            rms_px: upper_median(own),
+        };
+        (shot.photo, view)
+    };
+    let shots = scene.shots.iter().enumerate();
+    shots.zip(own).map(view).collect()
 }
 
 /// What the user should know before trusting the cameras.
 pub(crate) fn warnings(
     photos: &Photos,
-    ids: &[PhotoId],
     scene: &Scene,
     fit: &Fit,
     prior: &LensPrior,
 ) -> Vec<Message> {
     let mut warnings = Vec::new();
-    for (id, photo) in photos.iter().filter(|(id, _)| !ids.contains(id)) {
+    let has_camera = |id| scene.shots.iter().any(|s| s.photo == id);
+    for (id, photo) in photos.iter().filter(|(id, _)| !has_camera(*id)) {
         let n = id.0;
         let why = match photos.rig.mat.is_some() {
             true => message!(FEW_TAGS),
@@ -85,16 +69,16 @@ pub(crate) fn warnings(
             why = why
         ));
     }
-    let off = (scene.lens.focal[0] / prior.mean[0] - 1.0).abs();
+    let off = (scene.lenses[0].focal[0] / prior.mean[0] - 1.0).abs();
     let sure = prior.sigma[0] / prior.mean[0];
     if knows_focal(&photos.rig) && off > (3.0 * sure).max(0.03) {
         warnings.push(message!(FOCAL, off = off * 100.0));
     }
     // A fixed camera and a turning disk: centres are on a circle around the axis.
     let ring: Vec<(f64, f64)> = scene
-        .poses
+        .shots
         .iter()
-        .map(|p| p.centre())
+        .map(|s| s.pose.centre())
         .map(|c| (libm::hypot(c.x, c.y), c.z))
         .collect();
     let count = ring.len() as f64;
@@ -102,10 +86,10 @@ pub(crate) fn warnings(
         ring.iter().map(|r| r.0).sum::<f64>() / count,
         ring.iter().map(|r| r.1).sum::<f64>() / count,
     );
-    for (id, (r, z)) in ids.iter().zip(&ring) {
+    for (shot, (r, z)) in scene.shots.iter().zip(&ring) {
         let out = libm::hypot(r - radius, z - height) / radius;
         if out > 0.02 {
-            let name = photos.get(*id).map_or("", |p| p.name.as_str());
+            let name = name(photos, shot);
             warnings.push(message!(OFF_CIRCLE, off = out * 100.0).of_what(name));
         }
     }
@@ -115,13 +99,17 @@ pub(crate) fn warnings(
     warnings
 }
 
+/// The name of a shot's photo.
+fn name<'a>(photos: &'a Photos, shot: &Shot) -> &'a str {
+    photos.get(shot.photo).map_or("", |p| p.name.as_str())
+}
+
 /// Photos on which the camera looks elsewhere than on the rest.
-pub(crate) fn nudged(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<Message> {
+pub(crate) fn nudged(photos: &Photos, scene: &Scene) -> Vec<Message> {
     let warning = |(i, degrees): (usize, f64)| {
-        let name = photos.get(ids[i]).map_or("", |p| p.name.as_str());
-        message!(NUDGED, off = degrees).of_what(name)
+        message!(NUDGED, off = degrees).of_what(name(photos, &scene.shots[i]))
     };
-    turned(poses).into_iter().map(warning).collect()
+    turned(&scene.shots).into_iter().map(warning).collect()
 }
 
 /// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera. By hand: not on
@@ -130,12 +118,11 @@ const MOVED_SHARE: f64 = 0.01;
 
 /// Cameras before which the disk's centre is elsewhere than before most, and by what angle. \[°\]
 /// A fixed camera sees it in one place all the time, be the disk turned as it may.
-fn turned(poses: &[Pose]) -> Vec<(usize, f64)> {
-    let middle =
-        |axis: usize| upper_median(poses.iter().map(|p| p.translation[axis])).unwrap_or(0.0);
+fn turned(shots: &[Shot]) -> Vec<(usize, f64)> {
+    let shifts = || shots.iter().map(|s| s.pose.translation);
+    let middle = |axis: usize| upper_median(shifts().map(|t| t[axis])).unwrap_or(0.0);
     let usual = Vector3::new(middle(0), middle(1), middle(2));
-    let off = |p: &Pose| p.translation.angle(&usual);
-    let places = poses.iter().map(off).enumerate();
+    let places = shifts().map(|t| t.angle(&usual)).enumerate();
     places
         .filter(|(_, off)| *off > MOVED_SHARE)
         .map(|(i, off)| (i, off.to_degrees()))
@@ -147,11 +134,12 @@ const STILL_DEG: f64 = 0.5;
 
 /// Between which photos the disk, seen by its mat, did not turn or turned otherwise than between
 /// most: photos saved twice, missing, or out of their place.
-pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<Message> {
-    let turns: Vec<f64> = poses
+pub(crate) fn uneven(photos: &Photos, scene: &Scene) -> Vec<Message> {
+    let shots = &scene.shots;
+    let turns: Vec<f64> = shots
         .windows(2)
         .map(|w| {
-            let between = w[0].rotation.inverse() * w[1].rotation;
+            let between = w[0].pose.rotation.inverse() * w[1].pose.rotation;
             libm::atan2(between[(1, 0)], between[(0, 0)]).to_degrees()
         })
         .collect();
@@ -165,10 +153,9 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<Me
     if 3 * turns.iter().filter(|t| odd(**t)).count() > turns.len() {
         return vec![message!(UNEVEN)];
     }
-    let name = |i: usize| photos.get(ids[i]).map_or("", |p| p.name.as_str());
     let warning = |(i, turn): (usize, &f64)| {
-        let (a, b) = (name(i), name(i + 1));
-        let followed = ids[i].0 + 1 == ids[i + 1].0;
+        let (a, b) = (name(photos, &shots[i]), name(photos, &shots[i + 1]));
+        let followed = shots[i].photo.0 + 1 == shots[i + 1].photo.0;
         match turn.abs() < STILL_DEG {
             true => Some(message!(NOT_TURNED, before = a, after = b)),
             false if odd(*turn) && followed => Some(message!(
@@ -202,6 +189,12 @@ pub(crate) fn misfits(cameras: &Cameras) -> Vec<Message> {
 mod tests {
     use super::*;
     use nalgebra::Rotation3;
+    use shape::{Intrinsics, PhotoId, Pose};
+
+    fn scene(poses: impl Iterator<Item = Pose>) -> Scene {
+        let lens = Intrinsics::simple(600, 800, 900.0);
+        Scene::of_one_lens(lens, (0..).map(PhotoId).zip(poses))
+    }
 
     #[test]
     fn a_camera_that_was_nudged_is_named_by_its_photo() {
@@ -209,13 +202,14 @@ mod tests {
             rotation: Rotation3::from_euler_angles(1.8, 0.0, 0.3 * f64::from(i)),
             translation: Vector3::new(3.0, 340.0, 1770.0 + f64::from(i % 3)),
         };
-        let mut poses: Vec<Pose> = (0..9).map(pose).collect();
-        assert_eq!(turned(&poses), vec![]);
+        let mut shots = scene((0..9).map(pose)).shots;
+        assert_eq!(turned(&shots), vec![]);
         // A turn of the camera about its own centre: the ring does not show it.
         let nudge = Rotation3::from_euler_angles(0.0, 0.026, 0.0);
-        poses[4].rotation = nudge * poses[4].rotation;
-        poses[4].translation = nudge * poses[4].translation;
-        let found = turned(&poses);
+        let pose = &mut shots[4].pose;
+        pose.rotation = nudge * pose.rotation;
+        pose.translation = nudge * pose.translation;
+        let found = turned(&shots);
         assert!(found.len() == 1 && found[0].0 == 4, "{found:?}");
         proof::near(found[0].1, 0.026f64.to_degrees(), 0.1);
     }
@@ -228,11 +222,9 @@ mod tests {
                     * Rotation3::from_euler_angles(0.0, 0.0, place * -20f64.to_radians()),
                 translation: Vector3::new(3.0, 340.0, 1770.0),
             };
-            let poses: Vec<Pose> = places.iter().map(pose).collect();
-            let ids: Vec<PhotoId> = (0..poses.len() as u32).map(PhotoId).collect();
             let mut photos = Photos::default();
             photos.rig.step = Some(20f64.to_radians());
-            uneven(&photos, &ids, &poses)
+            uneven(&photos, &scene(places.iter().map(pose)))
         };
         let even: Vec<f64> = (0..18).map(f64::from).collect();
         assert_eq!(found(&even), Vec::<Message>::new());

@@ -4,13 +4,12 @@
 //! black square are seen shifted outward by one and the same part of a pixel. Left alone, that
 //! shift bends the lens (k1, k2) and through it the focal length. Here it is an unknown of each tag.
 
-use crate::adjust::bundle::{Fit, adjust};
-use crate::adjust::residual::MEDIAN_SIGMAS;
+use crate::adjust::belief::Beliefs;
+use crate::adjust::bundle::{Fit, Settings, adjusted, fit};
+use crate::adjust::damped::weight;
 use crate::adjust::rim::straightened;
-use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
-use crate::calibration::trust::median_px;
+use crate::adjust::scene::{PointObservation, Scene, scatter_px};
 use nalgebra::{Matrix2, Vector2};
-use shape::Camera;
 
 /// Most rounds of cameras, then shifts (structural: it converges sooner).
 const ROUNDS: usize = 8;
@@ -45,7 +44,7 @@ pub(crate) fn adjust_tags(
     bloom_px: f64,
 ) -> Fit {
     let seen: Vec<[f64; 2]> = observations.iter().map(|s| s.at_px).collect();
-    let mut fit = adjust(scene, observations, beliefs, settings);
+    adjusted(scene, observations, beliefs, settings, None);
     let mut last = vec![0.0; seen.len() / 4];
     let rounds = bloom_px > 0.0 || scene.rim.is_some();
     for _ in 0..if rounds { ROUNDS } else { 0 } {
@@ -64,7 +63,7 @@ pub(crate) fn adjust_tags(
                 observation.at_px = [seen[0] - now * out.x, seen[1] - now * out.y];
             }
         }
-        fit = adjust(scene, observations, beliefs, settings);
+        adjusted(scene, observations, beliefs, settings, None);
         if change < CONVERGED_PX {
             break;
         }
@@ -82,14 +81,9 @@ pub(crate) fn adjust_tags(
         }
     }
     if more {
-        fit = adjust(scene, observations, beliefs, settings);
+        adjusted(scene, observations, beliefs, settings, None);
     }
-    fit
-}
-
-/// Standard deviation of observations, by the median. \[px\]
-pub(crate) fn scatter_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
-    median_px(scene, observations) / MEDIAN_SIGMAS
+    fit(scene, observations, beliefs, settings)
 }
 
 /// A tag's corners where they would be seen if its sides were straight: those of a tag on the rim
@@ -98,11 +92,7 @@ fn straight_corners(scene: &Scene, first: &PointObservation, seen: &[[f64; 2]]) 
     let corners = [seen[0], seen[1], seen[2], seen[3]];
     let off_px = scene.rim.as_ref().and_then(|rim| {
         let at = first.point.checked_sub(rim.first)?;
-        let eye = Camera {
-            lens: scene.lens,
-            pose: scene.poses[first.camera],
-        };
-        straightened(&eye, rim, at / 4)
+        straightened(&scene.camera(first.camera), rim, at / 4)
     });
     match off_px {
         None => corners,
@@ -122,15 +112,12 @@ fn shift(
     let sigma = tag[0].sigma_px;
     let (mut top, mut bottom) = (0.0, (sigma / bloom_px).powi(2));
     for ((observation, seen), out) in tag.iter().zip(seen).zip(out) {
-        let camera = Camera {
-            lens: scene.lens,
-            pose: scene.poses[observation.camera],
-        };
+        let camera = scene.camera(observation.camera);
         let Some(at) = camera.project(&scene.points[observation.point]) else {
             continue;
         };
         let off = (Vector2::from(observation.at_px) - at.coords) / sigma;
-        let weight = 1.0 / (1.0 + off.norm_squared() / (loss * loss));
+        let weight = weight(off.norm_squared(), loss * loss);
         top += weight * out.dot(&(Vector2::from(*seen) - at.coords));
         bottom += weight * out.norm_squared();
     }
@@ -143,7 +130,7 @@ mod tests {
     use crate::calibration::prior::lens_prior;
     use crate::mat::corners::mat_corners;
     use nalgebra::{Rotation3, Vector3};
-    use shape::{Intrinsics, Mat, Pose};
+    use shape::{Camera, Intrinsics, Mat, PhotoId, Pose};
 
     /// The sides of a moved quadrangle are one pixel further out.
     #[test]
@@ -178,14 +165,8 @@ mod tests {
                 translation: Vector3::new(5.0, 340.0, 1770.0),
             })
             .collect();
-        let mut scene = Scene {
-            lens,
-            poses: truth.clone(),
-            ring: None,
-            points: vec![],
-            known: 0,
-            rim: None,
-        };
+        let shots = (0..).map(PhotoId).zip(truth.iter().copied());
+        let mut scene = Scene::of_one_lens(lens, shots);
         let mut observations = vec![];
         for (camera, pose) in truth.iter().enumerate() {
             for id in 0..mat.count {
@@ -210,18 +191,19 @@ mod tests {
             focal_sigma: 0.0005,
             ..crate::CalibrateParams::default()
         };
-        let beliefs = Beliefs {
-            lens: lens_prior(&lens, params.focal_sigma, &params),
-            steps: None,
-            rim: None,
-        };
+        let beliefs = Beliefs::of_lens(lens_prior(&lens, params.focal_sigma, &params));
         let settings = crate::calibration::prior::settings(&params);
         let off = |bloom_px: f64| {
             let (mut scene, mut observations) = (scene.clone(), observations.clone());
             adjust_tags(&mut scene, &mut observations, &beliefs, &settings, bloom_px);
-            let off = |(a, b): (&Pose, &Pose)| (a.centre() - b.centre()).norm();
-            let worst = scene.poses.iter().zip(&truth).map(off).fold(0.0, f64::max);
-            (worst, scene.lens.radial[0].abs())
+            let off = |(a, b): (&Camera, &Pose)| (a.centre() - b.centre()).norm();
+            let worst = scene
+                .cameras()
+                .iter()
+                .zip(&truth)
+                .map(off)
+                .fold(0.0, f64::max);
+            (worst, scene.lenses[0].radial[0].abs())
         };
         let (plain, modelled) = (off(0.0), off(0.3));
         assert!(modelled.0 < 0.1 && modelled.1 < 1e-3, "{modelled:?}");

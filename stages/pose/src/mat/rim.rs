@@ -3,11 +3,12 @@
 //! Marks of known size that are not on the disk show what a turned plane leaves open. Only the
 //! sizes of the tags are taken at their word; see [`crate::adjust::rim`].
 
-use crate::adjust::bundle::Fit;
+use crate::adjust::belief::Beliefs;
+use crate::adjust::bundle::{Fit, Settings};
 use crate::adjust::rim::{OnRim, met};
-use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
+use crate::adjust::scene::{PointObservation, Scene, scatter_px};
 use crate::calibration::params::CalibrateParams;
-use crate::mat::bloom::{adjust_tags, scatter_px};
+use crate::mat::bloom::adjust_tags;
 use nalgebra::{Point3, Vector2};
 use shape::{Camera, Rim, Tag, upper_median};
 use stage::{Message, message};
@@ -68,10 +69,7 @@ pub(crate) fn with_rim(
     let mut middles: BTreeMap<u32, Vec<[f64; 2]>> = BTreeMap::new();
     let mut seen: Vec<(usize, &Tag)> = Vec::new();
     for (camera, tags) in tags.iter().enumerate() {
-        let eye = Camera {
-            lens: scene.lens,
-            pose: scene.poses[camera],
-        };
+        let eye = scene.camera(camera);
         let ids = rim.first_id..rim.first_id + rim.count;
         for tag in tags.iter().filter(|t| ids.contains(&t.id)) {
             if let Some(middle) = middle(&eye, tag, rim) {

@@ -6,23 +6,21 @@
 //! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` is how much is left open. Tags
 //! on the disk's rim give the third.
 
+use crate::adjust::belief::Beliefs;
 use crate::adjust::bundle::adjust;
 use crate::adjust::rim::RimBelief;
-use crate::adjust::scene::{Beliefs, PointObservation, Scene};
+use crate::adjust::scene::{PointObservation, Scene, median_px};
 use crate::calibration::found::Found;
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{lens_belief, settings};
-use crate::calibration::trust::{median_px, nudged, uneven, view, warnings};
+use crate::calibration::trust::{nudged, uneven, views, warnings};
 use crate::mat::bloom::adjust_tags;
 use crate::mat::corners::mat_corners;
 use crate::mat::planar::planar_pose;
 use crate::mat::rim::{GLUE_MM, with_rim};
 use crate::two_view::triangulate::{self, Seen};
 use nalgebra::Point3;
-use shape::{
-    ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Scale, Tag, Tags, Tracks,
-    View,
-};
+use shape::{Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Scale, Tag, Tags, Tracks};
 
 stage::failures! {
     /// Why a mat gives no cameras.
@@ -81,23 +79,18 @@ pub(crate) fn calibrate(
             Err(why) => rim_warning = Some(why.message()),
         }
     }
-    let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();
     let (mut used_tracks, mut points) = (0, vec![]);
     if let Some(tracks) = tracks {
-        (used_tracks, points) = add_features(&mut scene, &mut observations, &ids, mat, tracks, p);
+        (used_tracks, points) = add_features(&mut scene, &mut observations, mat, tracks, p);
         fit = adjust(&mut scene, &observations, &beliefs, &settings);
     }
-    let mut warnings = warnings(photos, &ids, &scene, &fit, &beliefs.lens);
-    warnings.extend(nudged(photos, &ids, &scene.poses));
-    warnings.extend(uneven(photos, &ids, &scene.poses));
+    let mut warnings = warnings(photos, &scene, &fit, &beliefs.lenses[0]);
+    warnings.extend(nudged(photos, &scene));
+    warnings.extend(uneven(photos, &scene));
     warnings.extend(rim_warning);
-    let view = |(camera, (id, ..)): (usize, &Placed<'_>)| {
-        (*id, view(photos, *id, camera, &scene, &observations, &fit))
-    };
-    let views: ByPhoto<View> = placed.iter().enumerate().map(view).collect();
     let disk = photos.rig.disk_diameter_mm.map(|d| d / 2.0);
     let cameras = Cameras {
-        views,
+        views: views(photos, &scene, &observations, &fit),
         scale: Scale::Mat,
         scale_sigma: Some(fit.size_sigma),
         disk_radius_mm: disk,
@@ -135,13 +128,13 @@ fn placed<'a>(
 /// What is believed of the lens, and of the rim's tags where there are any.
 fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
     Beliefs {
-        lens: lens_belief(lens, &photos.rig, p),
-        steps: None,
+        lenses: vec![lens_belief(lens, &photos.rig, p)],
         rim: photos.rig.rim.map(|_| RimBelief {
             round_mm: p.rim_round_mm,
             stretch: p.rim_stretch,
             glue_mm: GLUE_MM,
         }),
+        ..Beliefs::default()
     }
 }
 
@@ -170,13 +163,11 @@ fn laid_out(
             }
         }
     }
+    let shots = placed.iter().map(|(id, pose, _)| (*id, *pose));
     let scene = Scene {
-        lens: *lens,
-        poses: placed.iter().map(|(_, pose, _)| *pose).collect(),
-        ring: None,
         known: points.len(),
         points,
-        rim: None,
+        ..Scene::of_one_lens(*lens, shots)
     };
     (scene, observations)
 }
@@ -186,19 +177,23 @@ fn laid_out(
 fn add_features(
     scene: &mut Scene,
     observations: &mut Vec<PointObservation>,
-    ids: &[PhotoId],
     mat: &Mat,
     tracks: &Tracks,
     p: &CalibrateParams,
 ) -> (usize, Vec<[f32; 3]>) {
-    let seen = triangulate::triangulated(&scene.lens, &scene.poses, ids, tracks, 4.0);
-    let points = seen.iter().map(|s| s.point.coords.map(|x| x as f32).into());
+    let seen = triangulate::triangulated(scene, tracks, 4.0);
+    let points = seen
+        .iter()
+        .map(|s| s.spot.at.coords.map(|x| x as f32).into());
     let rigid = triangulate::median_residual(&seen) < 1.2 * p.feature_px;
     let radius = mat.ring_mm + mat.tag_mm / 2.0;
-    let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && libm::hypot(s.point.x, s.point.y) < radius;
+    let on_disk = |s: &&Seen| {
+        let at = s.spot.at;
+        at.z.abs() < 4.0 && libm::hypot(at.x, at.y) < radius
+    };
     let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
     for track in &keep {
-        for (camera, at_px) in &track.observations {
+        for (camera, at_px) in &track.spot.observations {
             observations.push(PointObservation {
                 camera: *camera,
                 point: scene.points.len(),
@@ -206,7 +201,7 @@ fn add_features(
                 sigma_px: p.feature_px,
             });
         }
-        scene.points.push(track.point);
+        scene.points.push(track.spot.at);
     }
     (keep.len(), points.collect())
 }

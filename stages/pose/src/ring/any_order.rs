@@ -1,6 +1,6 @@
 //! Cameras of photos in any order: grown as those of a walk, one photo more at a time, then adjusted to all features.
 
-use crate::adjust::scene::{Beliefs, Scene};
+use crate::adjust::belief::Beliefs;
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{focals, lens_belief};
 use crate::ring::cameras::Solved;
@@ -8,10 +8,10 @@ use crate::ring::error::TracksError;
 use crate::ring::trusted::Trusted;
 use crate::walk::groups::Groups;
 use crate::walk::grow::grown;
-use crate::walk::model::{Model, Seen};
 use crate::walk::rules::Growth;
+use crate::walk::seen::Seen;
 use crate::walk::stage::{WalkParams, growth};
-use shape::{Intrinsics, PhotoId, Photos, Tracks};
+use shape::{Intrinsics, Photos, Tracks};
 
 /// Cameras of all photos that hold on to the rest, from the focal length that explains most.
 pub(crate) fn solved(
@@ -45,25 +45,10 @@ pub(crate) fn solved(
     };
     let seen = Seen::new(tracks, count, |_, at| at);
     let grown = grown(&seen, &groups, &rules).ok_or(TracksError::NoBeginning)?;
-    let Model {
-        lenses, mut shots, ..
-    } = grown.with_spots(0).0;
-    // By photo, as everybody expects.
-    shots.sort_by_key(|s| s.photo);
-    let ids: Vec<PhotoId> = shots.iter().map(|s| s.photo).collect();
-    let scene = Scene {
-        lens: lenses[0],
-        poses: shots.iter().map(|s| s.pose).collect(),
-        ring: None,
-        points: vec![],
-        known: 0,
-        rim: None,
-    };
-    let beliefs = Beliefs {
-        lens: believed,
-        steps: None,
-        rim: None,
-    };
-    let trusted = Trusted::begun(&scene, &ids, tracks, &beliefs, p);
-    Ok(trusted.solved(ids, believed))
+    let mut scene = grown.with_points(0, p.feature_px).0;
+    // By photo, as everybody expects; focusing is within what features scatter.
+    scene.shots.sort_by_key(|s| s.photo);
+    scene.shots.iter_mut().for_each(|s| s.zoom = 0.0);
+    let beliefs = Beliefs::of_lens(believed);
+    Ok(Trusted::begun(&scene, tracks, &beliefs, p).solved(believed))
 }

@@ -6,11 +6,11 @@ use crate::adjust::scene::{PointObservation, Scene};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::{enlargement, knows_focal};
-use crate::calibration::trust::{misfits, nudged, view, warnings};
+use crate::calibration::trust::{misfits, nudged, views, warnings};
 use crate::frame::circle::{RING_MM, camera_circle, in_ring_frame};
 use crate::ring::error::TracksError;
 use crate::ring::pairs::LEAST_FEATURES;
-use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
+use shape::{Cameras, Photos, Scale};
 use stage::message;
 
 stage::messages! {
@@ -21,8 +21,7 @@ stage::messages! {
 
 /// An adjusted scene without a scale.
 pub(crate) struct Solved {
-    /// The photo of each camera, rising.
-    pub(crate) ids: Vec<PhotoId>,
+    /// Its cameras by photo, rising.
     pub(crate) scene: Scene,
     pub(crate) observations: Vec<PointObservation>,
     pub(crate) fit: Fit,
@@ -45,19 +44,12 @@ pub(crate) fn to_cameras(
             most,
         });
     }
-    let view = |(camera, id): (usize, &PhotoId)| {
-        (
-            *id,
-            view(photos, *id, camera, scene, &solved.observations, fit),
-        )
-    };
-    let views: ByPhoto<View> = solved.ids.iter().enumerate().map(view).collect();
     let points = scene
         .points
         .iter()
         .map(|p| p.coords.map(|x| x as f32).into());
     let cameras = Cameras {
-        views,
+        views: views(photos, scene, &solved.observations, fit),
         scale: Scale::Nothing,
         scale_sigma: None,
         disk_radius_mm: None,
@@ -71,10 +63,11 @@ pub(crate) fn to_cameras(
     seen_by_features(&cameras)?;
     let cameras = in_ring_frame(&cameras, RING_MM);
     let mut turned = scene.clone();
-    turned.poses = cameras.views.values().map(|v| v.camera.pose).collect();
-    let mut warnings = warnings(photos, &solved.ids, &turned, fit, &solved.prior);
+    let placed = turned.shots.iter_mut().zip(cameras.views.values());
+    placed.for_each(|(shot, view)| shot.pose = view.camera.pose);
+    let mut warnings = warnings(photos, &turned, fit, &solved.prior);
     if p.motion != Motion::Any {
-        warnings.extend(nudged(photos, &solved.ids, &turned.poses));
+        warnings.extend(nudged(photos, &turned));
     }
     warnings.extend(misfits(&cameras));
     for view in cameras.views.values().filter(|v| v.points < 30) {
@@ -83,7 +76,7 @@ pub(crate) fn to_cameras(
     if share < 0.5 {
         warnings.push(message!(FEW_FIT, share = share * 100.0));
     }
-    if !knows_focal(&photos.rig) && fit.lens_sigma[0] > 0.02 * scene.lens.focal[0] {
+    if !knows_focal(&photos.rig) && fit.lens_sigmas[0][0] > 0.02 * scene.lenses[0].focal[0] {
         warnings.push(message!(NO_FOCAL));
     }
     Ok(Found {

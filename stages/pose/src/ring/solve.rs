@@ -1,11 +1,11 @@
 //! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
 
-use crate::adjust::bundle::{Fit, adjust};
-use crate::adjust::scene::{Beliefs, Scene, Steps};
+use crate::adjust::belief::{Beliefs, Steps};
+use crate::adjust::bundle::{Fit, adjust, adjusted};
+use crate::adjust::scene::{Scene, median_px};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::{focals, knows_focal, lens_belief};
-use crate::calibration::trust::median_px;
 use crate::ring::any_order;
 use crate::ring::cameras::to_cameras;
 use crate::ring::error::TracksError;
@@ -47,10 +47,10 @@ pub(crate) fn calibrate(
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
     let Beginning { scene, places } = beginning(photos, lens, &ids, tracks, p)?;
     let mut beliefs = beliefs(lens, photos, &scene, &places, p);
-    let lying = Trusted::begun(&scene, &ids, tracks, &beliefs, p);
+    let lying = Trusted::begun(&scene, tracks, &beliefs, p);
     let brought = steady.map(|places| {
         let tracks = brought(tracks, photos, places);
-        Trusted::begun(&scene, &ids, &tracks, &beliefs, p)
+        Trusted::begun(&scene, &tracks, &beliefs, p)
     });
     let (mut trusted, steady) = match brought {
         Some(brought) if brought.median_px() < STEADIER_FACTOR * lying.median_px() => {
@@ -69,9 +69,9 @@ pub(crate) fn calibrate(
     }
     if free {
         trusted.scene.ring = None;
-        (0..3).for_each(|_| trusted.again(&ids, &beliefs, p));
+        (0..3).for_each(|_| trusted.again(&beliefs, p));
     }
-    let solved = trusted.solved(ids, beliefs.lens);
+    let solved = trusted.solved(beliefs.lenses[0]);
     if solved.share < 0.2 {
         return Err(TracksError::Unexplained {
             share: solved.share * 100.0,
@@ -124,13 +124,14 @@ fn beginning(
 /// Sway is alike in all features of a photo, so that many of them know no better than one: they would
 /// bend the lens (3 % of focal length at 12 mm of sway) and the steps.
 fn adjusted_as_believed(trusted: &mut Trusted, beliefs: &mut Beliefs) -> Fit {
-    let believed = beliefs.lens.sigma;
-    beliefs.lens.sigma = believed.map(|s| s * 1e-3);
+    let lens = &mut beliefs.lenses[0];
+    let believed = lens.sigma;
+    lens.sigma = believed.map(|s| s * 1e-3);
     beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
     // What is fixed is no better known for that, and nothing shows how far sway moved cameras.
     Fit {
-        lens_sigma: believed,
-        sigma_mm: vec![None; trusted.scene.poses.len()],
+        lens_sigmas: vec![believed],
+        sigma_mm: vec![None; trusted.scene.shots.len()],
         ..adjust(
             &mut trusted.scene,
             &trusted.observations,
@@ -168,7 +169,13 @@ fn best_turn(
 fn sways(trusted: &Trusted, beliefs: &Beliefs, p: &CalibrateParams) -> bool {
     let mut loose = trusted.scene.clone();
     loose.ring = None;
-    adjust(&mut loose, &trusted.observations, beliefs, &trusted.how);
+    adjusted(
+        &mut loose,
+        &trusted.observations,
+        beliefs,
+        &trusted.how,
+        None,
+    );
     trusted.median_px() > p.sway_ratio * median_px(&loose, &trusted.observations)
 }
 
@@ -183,7 +190,7 @@ fn beliefs(
     let sign = scene.ring.as_ref().and_then(|r| r.angles.last().copied());
     let sign = sign.unwrap_or(1.0).signum();
     Beliefs {
-        lens: lens_belief(lens, &photos.rig, p),
+        lenses: vec![lens_belief(lens, &photos.rig, p)],
         steps: photos.rig.step.map(|step| Steps {
             turns: places
                 .windows(2)
@@ -191,6 +198,6 @@ fn beliefs(
                 .collect(),
             sigma: p.step_sigma_deg.to_radians(),
         }),
-        rim: None,
+        ..Beliefs::default()
     }
 }

@@ -1,16 +1,16 @@
 //! A turn adjusted to all features, in rounds: which of them fit, what they scatter by, then one adjustment.
 
-use crate::adjust::bundle::{Fit, adjust};
+use crate::adjust::belief::Beliefs;
+use crate::adjust::bundle::{Fit, Settings, adjust};
 use crate::adjust::lens::LensPrior;
-use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
+use crate::adjust::scene::{PointObservation, Scene, median_px};
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::settings;
-use crate::calibration::trust::median_px;
 use crate::ring::cameras::Solved;
 use crate::ring::pairs::chosen;
-use crate::ring::trial::{filled, spread_px};
+use crate::ring::trial::spread_px;
 use crate::two_view::triangulate::triangulated;
-use shape::{PhotoId, Tracks};
+use shape::Tracks;
 
 /// The loss is for features that scatter as they are believed to; no less of it is left for surer ones. By hand: not on
 /// record.
@@ -34,14 +34,13 @@ impl Trusted {
     /// Three rounds from a scene that explains a few features.
     pub(crate) fn begun(
         scene: &Scene,
-        ids: &[PhotoId],
         tracks: &Tracks,
         beliefs: &Beliefs,
         p: &CalibrateParams,
     ) -> Trusted {
         let many = chosen(tracks, p.most_tracks as usize);
         let mut scene = scene.clone();
-        let (seen, sigma_px, how) = fitting(&mut scene, ids, &many, 16.0, p);
+        let (seen, sigma_px, how) = fitting(&mut scene, &many, 16.0, p);
         let mut trusted = Trusted {
             fit: adjust(&mut scene, &seen, beliefs, &how),
             observations: seen,
@@ -50,23 +49,22 @@ impl Trusted {
             sigma_px,
             how,
         };
-        (0..2).for_each(|_| trusted.again(ids, beliefs, p));
+        (0..2).for_each(|_| trusted.again(beliefs, p));
         trusted
     }
 
     /// Features anew, then one adjustment.
-    pub(crate) fn again(&mut self, ids: &[PhotoId], beliefs: &Beliefs, p: &CalibrateParams) {
+    pub(crate) fn again(&mut self, beliefs: &Beliefs, p: &CalibrateParams) {
         let most_px = 8.0 * self.sigma_px;
         (self.observations, self.sigma_px, self.how) =
-            fitting(&mut self.scene, ids, &self.many, most_px, p);
+            fitting(&mut self.scene, &self.many, most_px, p);
         self.fit = adjust(&mut self.scene, &self.observations, beliefs, &self.how);
     }
 
     /// What follows: how much of the features it explains, and by what lens it was believed.
-    pub(crate) fn solved(self, ids: Vec<PhotoId>, prior: LensPrior) -> Solved {
+    pub(crate) fn solved(self, prior: LensPrior) -> Solved {
         let of = self.many.points.len().max(1);
         Solved {
-            ids,
             share: self.scene.points.len() as f64 / of as f64,
             scene: self.scene,
             observations: self.observations,
@@ -85,17 +83,17 @@ impl Trusted {
 /// is far off loses weight by what features scatter by, be that less than is believed of them.
 fn fitting(
     scene: &mut Scene,
-    ids: &[PhotoId],
     tracks: &Tracks,
     most_px: f64,
     p: &CalibrateParams,
 ) -> (Vec<PointObservation>, f64, Settings) {
-    let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most_px);
+    let seen = triangulated(scene, tracks, most_px);
     let spread = spread_px(&seen);
     let sigma_px = spread.max(p.feature_px);
     let how = Settings {
         loss: p.loss * (spread / sigma_px).max(LEAST_LOSS_SHARE),
         ..settings(p)
     };
-    (filled(scene, &seen, sigma_px), sigma_px, how)
+    let observations = scene.filled(seen.iter().map(|s| &s.spot), sigma_px);
+    (observations, sigma_px, how)
 }

@@ -1,40 +1,26 @@
 //! Tracks as points in the world: triangulation from known cameras.
 
-use nalgebra::Point3;
-use shape::{Camera, Intrinsics, PhotoId, Pose, Tracks, triangulate};
+use crate::adjust::scene::{Scene, Spot};
+use shape::{Tracks, triangulate};
 
-/// A triangulated track: cameras by their place in the list, pixels.
+/// A triangulated track.
 pub(crate) struct Seen {
-    pub(crate) point: Point3<f64>,
-    pub(crate) observations: Vec<(usize, [f64; 2])>,
+    pub(crate) spot: Spot,
     pub(crate) rms_px: f64,
 }
 
 /// The tracks whose points project within `most_px` of where they were seen.
-pub(crate) fn triangulated(
-    lens: &Intrinsics,
-    poses: &[Pose],
-    ids: &[PhotoId],
-    tracks: &Tracks,
-    most_px: f64,
-) -> Vec<Seen> {
-    let cameras: Vec<Camera> = poses
-        .iter()
-        .map(|pose| Camera {
-            lens: *lens,
-            pose: *pose,
-        })
-        .collect();
+pub(crate) fn triangulated(scene: &Scene, tracks: &Tracks, most_px: f64) -> Vec<Seen> {
+    let cameras = scene.cameras();
     let one = |track: &Vec<shape::Observation>| {
         let place = |s: &shape::Observation| {
-            let camera = ids.iter().position(|id| *id == s.photo)?;
+            let camera = scene.shots.iter().position(|shot| shot.photo == s.photo)?;
             Some((camera, s.at_px.map(f64::from)))
         };
         let observations: Vec<(usize, [f64; 2])> = track.iter().filter_map(place).collect();
-        let (point, rms_px) = triangulate(&cameras, &observations)?;
+        let (at, rms_px) = triangulate(&cameras, &observations)?;
         (rms_px < most_px).then_some(Seen {
-            point,
-            observations,
+            spot: Spot { at, observations },
             rms_px,
         })
     };

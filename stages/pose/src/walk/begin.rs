@@ -1,8 +1,9 @@
 //! Two photos to begin with: much in common, seen from well apart.
 
+use crate::adjust::scene::{Scene, Shot};
 use crate::two_view::relative::{at_origin, two_views};
 use crate::walk::groups::Groups;
-use crate::walk::model::{Model, Seen, Shot};
+use crate::walk::seen::Seen;
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::triangulate;
@@ -50,16 +51,16 @@ pub(crate) fn begun(
     groups: &Groups,
     lenses: &[Intrinsics],
     near_px: f64,
-) -> Option<Model> {
+) -> Option<Scene> {
     let tried = |pair: &Pair| tried(seen, groups, lenses, pair, near_px);
-    let tried: Vec<Option<(f64, Model)>> = pairs(seen).par_iter().map(tried).collect();
-    let mut best: Option<(f64, Model)> = None;
-    for (score, model) in tried.into_iter().flatten() {
+    let tried: Vec<Option<(f64, Scene)>> = pairs(seen).par_iter().map(tried).collect();
+    let mut best: Option<(f64, Scene)> = None;
+    for (score, scene) in tried.into_iter().flatten() {
         if best.as_ref().is_none_or(|(most, _)| score > *most) {
-            best = Some((score, model));
+            best = Some((score, scene));
         }
     }
-    best.map(|(_, model)| model)
+    best.map(|(_, scene)| scene)
 }
 
 /// A pair's shots, and what they are worth as a beginning.
@@ -69,7 +70,7 @@ fn tried(
     lenses: &[Intrinsics],
     (_, a, b): &Pair,
     near_px: f64,
-) -> Option<(f64, Model)> {
+) -> Option<(f64, Scene)> {
     let of = |id: &PhotoId| groups.of[id.0 as usize];
     let own = [&lenses[of(a)], &lenses[of(b)]];
     // Both as one lens without distortion would see them.
@@ -96,10 +97,10 @@ fn tried(
         pose,
         zoom: 0.0,
     };
-    let model = Model {
+    let scene = Scene {
         lenses: lenses.to_vec(),
         shots: vec![shot(a, at_origin()), shot(b, pose)],
-        spots: vec![],
+        ..Scene::default()
     };
     let cameras = [at_origin(), pose].map(|pose| shape::Camera { lens: plain, pose });
     let centres = cameras.map(|c| c.centre());
@@ -109,5 +110,5 @@ fn tried(
     };
     let angles: Vec<f64> = both.iter().filter_map(angle).collect();
     let worth = angles.iter().map(|a| (a / WIDE_RAD).min(1.0)).sum::<f64>();
-    (angles.len() >= LEAST_POINTS && 2 * angles.len() >= both.len()).then_some((worth, model))
+    (angles.len() >= LEAST_POINTS && 2 * angles.len() >= both.len()).then_some((worth, scene))
 }

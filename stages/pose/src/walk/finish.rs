@@ -1,10 +1,8 @@
 //! The last adjustments: all points, observations as sure as they turn out to be.
 
-use crate::adjust::residual::MEDIAN_SIGMAS;
-use crate::walk::adjust::{Free, Sureness, Terms, adjusted, sureness};
+use crate::adjust::bundle::{Fit, adjusted, fit};
+use crate::adjust::scene::{PointObservation, Scene, scatter_px};
 use crate::walk::grow::Grown;
-use crate::walk::model::Model;
-use crate::walk::points::offs;
 use crate::walk::rules::Growth;
 
 /// How many rounds (structural: a search's end).
@@ -12,77 +10,41 @@ const ROUNDS: usize = 4;
 
 /// An adjusted walk.
 pub(crate) struct Finished {
-    /// Shots by photo, rising.
-    pub(crate) model: Model,
-    /// Standard deviations; none where something is not determined.
-    pub(crate) sure: Option<Sureness>,
-    /// Root mean square of the residuals, far ones left out. \[px\]
-    pub(crate) rms_px: f64,
+    /// Its shots by photo, rising.
+    pub(crate) scene: Scene,
+    pub(crate) observations: Vec<PointObservation>,
+    pub(crate) fit: Fit,
 }
 
 /// Adjusts everything with at most `most` points, observations within what most are within.
-pub(crate) fn finished(
-    mut grown: Grown<'_>,
-    rules: &Growth,
-    most: usize,
-    steps: usize,
-) -> Finished {
-    let mut terms = Terms {
-        steps,
-        ..rules.terms.clone()
-    };
-    let free = Free {
-        lenses: true,
-        shots: None,
-    };
+pub(crate) fn finished(mut grown: Grown<'_>, rules: &Growth, most: usize) -> Finished {
+    let (beliefs, how) = (&rules.beliefs, &rules.how);
     let mut near_px = rules.near_px;
-    let mut model = grown.with_spots(most).0;
+    let (mut scene, mut seen) = grown.with_points(most, rules.sigma_px);
     for _ in 0..ROUNDS {
-        adjusted(&mut model, &terms, &free);
-        let sigma = sigma_px(&model).max(rules.terms.sigma_px);
-        terms.sigma_px = sigma;
-        near_px = (6.0 * sigma).min(near_px);
-        grown.adopt(model, near_px);
-        model = grown.with_spots(most).0;
+        adjusted(&mut scene, &seen, beliefs, how, None);
+        let sigma_px = scatter_px(&scene, &seen).min(100.0).max(rules.sigma_px);
+        near_px = (6.0 * sigma_px).min(near_px);
+        grown.adopt(scene, near_px);
+        (scene, seen) = grown.with_points(most, sigma_px);
     }
-    let mut order: Vec<usize> = (0..model.shots.len()).collect();
-    order.sort_by_key(|s| model.shots[*s].photo);
     // The first shot is the one that stays, wherever it comes to be in the list.
-    adjusted(&mut model, &terms, &free);
-    let model = sorted(&model, &order);
-    let near: Vec<f64> = offs(&model)
-        .into_iter()
-        .map(|(_, off)| off)
-        .filter(|off| *off < 3.0 * terms.loss * terms.sigma_px)
-        .collect();
-    let rms = near.iter().map(|o| o * o).sum::<f64>() / near.len().max(1) as f64;
+    adjusted(&mut scene, &seen, beliefs, how, None);
+    sort(&mut scene, &mut seen);
     Finished {
-        sure: sureness(&model, &terms),
-        rms_px: rms.sqrt(),
-        model,
+        fit: fit(&scene, &seen, beliefs, how),
+        scene,
+        observations: seen,
     }
 }
 
-/// Standard deviation of an observation along one axis, by the median. \[px\]
-fn sigma_px(model: &Model) -> f64 {
-    let middle = shape::upper_median(offs(model).into_iter().map(|(_, off)| off));
-    middle.map_or(1.0, |off| off.min(100.0) / MEDIAN_SIGMAS)
-}
-
-/// The model with its shots in another order.
-fn sorted(model: &Model, order: &[usize]) -> Model {
+/// Puts shots in their photos' order.
+fn sort(scene: &mut Scene, seen: &mut [PointObservation]) {
+    let mut order: Vec<usize> = (0..scene.shots.len()).collect();
+    order.sort_by_key(|s| scene.shots[*s].photo);
     let mut place = vec![0; order.len()];
-    order
-        .iter()
-        .enumerate()
-        .for_each(|(new, old)| place[*old] = new);
-    let mut sorted = model.clone();
-    sorted.shots = order.iter().map(|s| model.shots[*s].clone()).collect();
-    for spot in &mut sorted.spots {
-        spot.observations
-            .iter_mut()
-            .for_each(|(s, _)| *s = place[*s]);
-        spot.observations.sort_by_key(|(s, _)| *s);
-    }
-    sorted
+    (0..).zip(&order).for_each(|(new, old)| place[*old] = new);
+    scene.shots.sort_by_key(|s| s.photo);
+    seen.iter_mut().for_each(|o| o.camera = place[o.camera]);
+    seen.sort_by_key(|o| (o.point, o.camera));
 }

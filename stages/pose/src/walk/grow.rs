@@ -2,14 +2,16 @@
 //! Frahm 2016): each registered among the points there are, adjusted with those that see the same,
 //! and now and then all together.
 
-use crate::adjust::lens::LensPrior;
-use crate::walk::adjust::{Free, Terms, adjusted};
+use crate::adjust::belief::Beliefs;
+use crate::adjust::bundle::{Settings, adjusted};
+use crate::adjust::lens::{LensPrior, lens_values};
+use crate::adjust::scene::{PointObservation, Scene, Shot, Spot, offs};
 use crate::walk::begin::begun;
 use crate::walk::groups::Groups;
-use crate::walk::model::{Model, Seen, Shot, Spot};
 use crate::walk::next::State;
-use crate::walk::points::{offs, places, spots};
+use crate::walk::points::{places, spots};
 use crate::walk::rules::Growth;
+use crate::walk::seen::Seen;
 use rayon::prelude::*;
 use shape::{Intrinsics, PhotoId};
 
@@ -42,13 +44,13 @@ pub(crate) fn grown<'a>(
             ..*lens
         };
         let lenses: Vec<Intrinsics> = groups.lenses.iter().map(longer).collect();
-        let model = begun(seen, groups, &lenses, rules.near_px)?;
+        let scene = begun(seen, groups, &lenses, rules.near_px)?;
         let mut grown = Grown {
             state: State {
                 seen,
                 groups,
                 rules,
-                model,
+                scene,
                 spots: vec![None; seen.tracks.len()],
             },
             adjusted_shots: 0,
@@ -67,10 +69,10 @@ pub(crate) fn grown<'a>(
     let (_, mut grown) = best?;
     // What did not fit before may fit when all the rest are placed.
     loop {
-        let before = grown.state.model.shots.len();
+        let before = grown.state.scene.shots.len();
         grown.grow(usize::MAX);
         grown.adjust_all(2);
-        if grown.state.model.shots.len() == before {
+        if grown.state.scene.shots.len() == before {
             return Some(grown);
         }
     }
@@ -79,115 +81,105 @@ pub(crate) fn grown<'a>(
 impl Grown<'_> {
     /// How much of what the shots show is explained, and how well.
     fn score(&self) -> f64 {
-        let sigma = self.state.rules.terms.sigma_px;
-        let all = offs(&self.with_spots(usize::MAX).0);
-        let one = |(_, off): &(usize, f64)| 1.0 / (1.0 + (off / sigma).powi(2));
-        all.iter().map(one).sum()
+        let sigma = self.state.rules.sigma_px;
+        let (scene, seen) = self.with_points(usize::MAX, sigma);
+        let one = |off: f64| 1.0 / (1.0 + (off / sigma).powi(2));
+        offs(&scene, &seen).into_iter().map(one).sum()
     }
 
-    /// The model with at most so many points, longer tracks first, and whose tracks they are.
-    pub(crate) fn with_spots(&self, most: usize) -> (Model, Vec<usize>) {
-        let mut of: Vec<usize> = (0..self.state.spots.len())
-            .filter(|t| self.state.spots[*t].is_some())
-            .collect();
+    /// At most so many points, longer tracks first.
+    fn chosen(&self, most: usize) -> impl Iterator<Item = &Spot> {
+        let spots = &self.state.spots;
+        let mut of: Vec<usize> = (0..spots.len()).filter(|t| spots[*t].is_some()).collect();
         if of.len() > most {
             let mixed = |t: usize| (t as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-            let long = |t: usize| {
-                self.state.spots[t]
-                    .as_ref()
-                    .map_or(0, |s| s.observations.len().min(8))
-            };
+            let long = |t: usize| spots[t].as_ref().map_or(0, |s| s.observations.len().min(8));
             of.sort_by_key(|t| (std::cmp::Reverse(long(*t)), mixed(*t)));
             of.truncate(most);
             of.sort_unstable();
         }
-        let spots = of
-            .iter()
-            .filter_map(|t| self.state.spots[*t].clone())
-            .collect();
-        let model = Model {
-            spots,
-            ..self.state.model.clone()
-        };
-        (model, of)
+        of.into_iter().filter_map(|t| spots[t].as_ref())
+    }
+
+    /// The scene with at most so many points, and what is seen of them.
+    pub(crate) fn with_points(&self, most: usize, sigma_px: f64) -> (Scene, Vec<PointObservation>) {
+        let mut scene = self.state.scene.clone();
+        let seen = scene.filled(self.chosen(most), sigma_px);
+        (scene, seen)
     }
 
     /// Points of all tracks, as the shots there are see them.
     pub(crate) fn look_again(&mut self, near_px: f64) {
         let all: Vec<usize> = (0..self.state.seen.tracks.len()).collect();
-        self.state.spots = spots(&self.state.model, self.state.seen, &all, near_px);
+        self.state.spots = spots(&self.state.scene, self.state.seen, &all, near_px);
     }
 
     /// Adjusts all so many times, points looked up anew before each.
     fn adjust_all(&mut self, times: usize) {
         // Two photos know little of a lens, three not much more.
-        let tight = if self.state.model.shots.len() < 3 {
+        let tight = if self.state.scene.shots.len() < 3 {
             1e-3
         } else {
             1.0
         };
         for k in (1..=times).rev() {
             self.look_again(self.state.rules.near_px * k as f64);
-            let terms = Terms {
+            let rules = self.state.rules;
+            let beliefs = Beliefs {
                 lenses: self.priors(tight),
+                ..rules.beliefs.clone()
+            };
+            let how = Settings {
                 steps: 12,
-                ..self.state.rules.terms.clone()
+                ..rules.how
             };
-            let (mut model, _) = self.with_spots(self.state.rules.most);
-            let free = Free {
-                lenses: true,
-                shots: None,
-            };
-            adjusted(&mut model, &terms, &free);
-            self.take(model);
+            let (mut scene, seen) = self.with_points(rules.most, rules.sigma_px);
+            adjusted(&mut scene, &seen, &beliefs, &how, None);
+            self.take(scene);
         }
         self.look_again(self.state.rules.near_px);
-        self.adjusted_shots = self.state.model.shots.len();
+        self.adjusted_shots = self.state.scene.shots.len();
     }
 
     /// What is believed of lenses; `tight` beliefs are about what they are now.
     fn priors(&self, tight: f64) -> Vec<LensPrior> {
         let one = |(lens, prior): (&Intrinsics, &LensPrior)| match tight < 1.0 {
             true => LensPrior {
-                mean: crate::adjust::lens::lens_values(lens),
+                mean: lens_values(lens),
                 sigma: prior.sigma.map(|s| s * tight),
             },
             false => *prior,
         };
-        let both = self
-            .state
-            .model
-            .lenses
-            .iter()
-            .zip(&self.state.rules.terms.lenses);
+        let lenses = self.state.scene.lenses.iter();
+        let both = lenses.zip(&self.state.rules.beliefs.lenses);
         both.map(one).collect()
     }
 
     /// Takes lenses and shots over; points are looked up again.
-    fn take(&mut self, model: Model) {
-        self.state.model = Model {
-            spots: vec![],
-            ..model
+    fn take(&mut self, scene: Scene) {
+        self.state.scene = Scene {
+            points: vec![],
+            ..scene
         };
     }
 
     /// Adds photos until there are `until`, or none holds on.
     fn grow(&mut self, until: usize) {
-        while self.state.model.shots.len() < until {
+        while self.state.scene.shots.len() < until {
             let Some((photo, lens, placed)) = self.state.next() else {
                 return;
             };
             if let Some(own) = lens {
-                self.state.model.lenses[self.state.groups.of[photo.0 as usize]] = own;
+                self.state.scene.lenses[self.state.groups.of[photo.0 as usize]] = own;
             }
-            self.state.model.shots.push(Shot {
+            self.state.scene.shots.push(Shot {
                 photo,
                 lens: self.state.groups.of[photo.0 as usize],
                 pose: placed.pose,
                 zoom: 0.0,
             });
             self.look_around(photo);
-            let now = self.state.model.shots.len();
+            let now = self.state.scene.shots.len();
             match now <= FIRST || now as f64 >= MORE * self.adjusted_shots as f64 {
                 true => self.adjust_all(1),
                 false => self.adjust_near(),
@@ -200,7 +192,7 @@ impl Grown<'_> {
         let own = &self.state.seen.by_photo[photo.0 as usize];
         let which: Vec<usize> = own.iter().map(|(t, _)| *t).collect();
         let found = spots(
-            &self.state.model,
+            &self.state.scene,
             self.state.seen,
             &which,
             self.state.rules.near_px,
@@ -212,7 +204,7 @@ impl Grown<'_> {
 
     /// Adjusts the last shot with those that see most of what it sees, lenses fixed.
     fn adjust_near(&mut self) {
-        let last = self.state.model.shots.len() - 1;
+        let last = self.state.scene.shots.len() - 1;
         let mut shared = vec![0usize; last + 1];
         let sees = |s: &&Spot| s.observations.iter().any(|(shot, _)| *shot == last);
         for spot in self.state.spots.iter().flatten().filter(sees) {
@@ -223,38 +215,32 @@ impl Grown<'_> {
         let mut free = vec![false; last + 1];
         free[last] = true;
         order.iter().take(LOCAL).for_each(|s| free[*s] = true);
-        let (mut model, _) = self.with_spots(usize::MAX);
-        let near = |s: &Spot| s.observations.iter().any(|(shot, _)| free[*shot]);
-        model.spots.retain(near);
-        model.spots.truncate(self.state.rules.most);
-        let terms = Terms {
-            lenses: self.priors(1.0),
+        let rules = self.state.rules;
+        let near = |s: &&Spot| s.observations.iter().any(|(shot, _)| free[*shot]);
+        let near = self.chosen(usize::MAX).filter(near).take(rules.most);
+        let mut scene = self.state.scene.clone();
+        let seen = scene.filled(near, rules.sigma_px);
+        let how = Settings {
             steps: 8,
-            ..self.state.rules.terms.clone()
+            ..rules.how
         };
-        let photos: Vec<PhotoId> = (0..=last)
-            .filter(|s| free[*s])
-            .map(|s| self.state.model.shots[s].photo)
-            .collect();
-        let free = Free {
-            lenses: false,
-            shots: Some(free),
-        };
-        adjusted(&mut model, &terms, &free);
-        self.take(model);
+        adjusted(&mut scene, &seen, &rules.beliefs, &how, Some(&free));
+        let shots = scene.shots.iter().zip(free);
+        let photos: Vec<PhotoId> = shots.filter(|(_, f)| *f).map(|(s, _)| s.photo).collect();
+        self.take(scene);
         photos.into_iter().for_each(|photo| self.look_around(photo));
     }
 
     /// Photos without a camera.
     pub(crate) fn missing(&self) -> Vec<PhotoId> {
-        let places = places(&self.state.model, self.state.seen.by_photo.len());
+        let places = places(&self.state.scene, self.state.seen.by_photo.len());
         let open = (0..places.len()).filter(|p| places[*p].is_none());
         open.map(|p| PhotoId(p as u32)).collect()
     }
 
-    /// Takes an adjusted model over.
-    pub(crate) fn adopt(&mut self, model: Model, near_px: f64) {
-        self.take(model);
+    /// Takes an adjusted scene over.
+    pub(crate) fn adopt(&mut self, scene: Scene, near_px: f64) {
+        self.take(scene);
         self.look_again(near_px);
     }
 }

@@ -1,8 +1,7 @@
 //! Cameras of a walk around a subject that is as still as its background: features followed over photos
 //! in any order (`link`, a stage → `pairs` → `nearest`, `guided`; `chains`), then cameras (`walk`, a stage →
-//! `grow` → `begin`, `next` → `register`, `points`, `adjust`; `finish`; `world` → `floor`).
+//! `grow` → `begin`, `next` → `register`, `points`; `finish`; `world` → `floor`).
 
-pub(crate) mod adjust;
 pub(crate) mod begin;
 pub(crate) mod chains;
 pub(crate) mod error;
@@ -12,14 +11,13 @@ pub(crate) mod groups;
 pub(crate) mod grow;
 pub(crate) mod guided;
 pub(crate) mod link;
-pub(crate) mod model;
 pub(crate) mod nearest;
 pub(crate) mod next;
-pub(crate) mod normal;
 pub(crate) mod p3p;
 pub(crate) mod pairs;
 pub(crate) mod points;
 pub(crate) mod register;
 pub(crate) mod rules;
+pub(crate) mod seen;
 pub(crate) mod stage;
 pub(crate) mod world;

@@ -1,10 +1,11 @@
 //! Which photo is added next, and where it was taken from.
 
+use crate::adjust::scene::{Scene, Spot};
 use crate::walk::groups::Groups;
-use crate::walk::model::{Model, Seen, Spot};
 use crate::walk::points::places;
 use crate::walk::register::{Known, Placed, Samples, registered};
 use crate::walk::rules::Growth;
+use crate::walk::seen::Seen;
 use shape::{Intrinsics, PhotoId};
 
 /// What was seen, and what is found so far.
@@ -14,7 +15,7 @@ pub(crate) struct State<'a> {
     pub(crate) groups: &'a Groups,
     pub(crate) rules: &'a Growth,
     /// Without its points.
-    pub(crate) model: Model,
+    pub(crate) scene: Scene,
     /// Points, by track.
     pub(crate) spots: Vec<Option<Spot>>,
 }
@@ -22,7 +23,7 @@ pub(crate) struct State<'a> {
 impl State<'_> {
     /// The photo that is best added next, with its lens where that is new.
     pub(crate) fn next(&self) -> Option<(PhotoId, Option<Intrinsics>, Placed)> {
-        let places = places(&self.model, self.seen.by_photo.len());
+        let places = places(&self.scene, self.seen.by_photo.len());
         let open = (0..places.len()).filter(|p| places[*p].is_none());
         let mut next: Vec<(usize, usize)> = open
             .map(|p| (self.worth(&self.known(p), self.lens(p)), p))
@@ -41,7 +42,7 @@ impl State<'_> {
     }
 
     fn lens(&self, photo: usize) -> &Intrinsics {
-        &self.model.lenses[self.groups.of[photo]]
+        &self.scene.lenses[self.groups.of[photo]]
     }
 
     /// The points that a photo shows.
@@ -62,7 +63,7 @@ impl State<'_> {
             seed: self.rules.seed,
         };
         let group = self.groups.of[photo];
-        let new = self.model.shots.iter().all(|s| s.lens != group);
+        let new = self.scene.shots.iter().all(|s| s.lens != group);
         let factors = if new {
             &self.groups.factors[..]
         } else {

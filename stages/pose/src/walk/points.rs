@@ -1,6 +1,8 @@
-//! Tracks as points of a model: those of their observations that agree.
+//! Tracks as points of a scene: those of their observations that agree.
 
-use crate::walk::model::{Model, Seen, Spot};
+use crate::adjust::residual::off_px;
+use crate::adjust::scene::{Scene, Spot};
+use crate::walk::seen::Seen;
 use rayon::prelude::*;
 use shape::triangulate;
 use shape::{Camera, PhotoId};
@@ -9,9 +11,9 @@ use shape::{Camera, PhotoId};
 const TRIES: usize = 15;
 
 /// Which shot a photo is, by photo.
-pub(crate) fn places(model: &Model, photos: usize) -> Vec<Option<usize>> {
+pub(crate) fn places(scene: &Scene, photos: usize) -> Vec<Option<usize>> {
     let mut places = vec![None; photos];
-    for (s, shot) in model.shots.iter().enumerate() {
+    for (s, shot) in scene.shots.iter().enumerate() {
         places[shot.photo.0 as usize] = Some(s);
     }
     places
@@ -19,13 +21,13 @@ pub(crate) fn places(model: &Model, photos: usize) -> Vec<Option<usize>> {
 
 /// The points of some tracks, by track, as the shots there are see them.
 pub(crate) fn spots(
-    model: &Model,
+    scene: &Scene,
     seen: &Seen,
     which: &[usize],
     near_px: f64,
 ) -> Vec<Option<Spot>> {
-    let cameras = model.cameras();
-    let places = places(model, seen.by_photo.len());
+    let cameras = scene.cameras();
+    let places = places(scene, seen.by_photo.len());
     let one = |t: &usize| {
         let place = |(photo, px): &(PhotoId, [f64; 2])| Some((places[photo.0 as usize]?, *px));
         let observations: Vec<(usize, [f64; 2])> =
@@ -38,7 +40,7 @@ pub(crate) fn spots(
 /// The point with which most observations agree, at least two and at least half.
 fn spot(cameras: &[Camera], observations: &[(usize, [f64; 2])], near_px: f64) -> Option<Spot> {
     let near = |at: &nalgebra::Point3<f64>, (c, px): &(usize, [f64; 2])| {
-        Model::off_px(&cameras[*c], at, *px).is_some_and(|off| off < near_px)
+        off_px(&cameras[*c], at, *px).is_some_and(|off| off < near_px)
     };
     let inside = |at: &nalgebra::Point3<f64>| -> Vec<(usize, [f64; 2])> {
         observations
@@ -84,19 +86,6 @@ fn spot(cameras: &[Camera], observations: &[(usize, [f64; 2])], near_px: f64) ->
         at,
         observations: agree,
     })
-}
-
-/// How far observations are from where their points project, with their shots. \[px\]
-pub(crate) fn offs(model: &Model) -> Vec<(usize, f64)> {
-    let cameras = model.cameras();
-    let of = |spot: &Spot| -> Vec<(usize, f64)> {
-        let one = |(s, px): &(usize, [f64; 2])| {
-            let off = Model::off_px(&cameras[*s], &spot.at, *px);
-            (*s, off.unwrap_or(f64::INFINITY))
-        };
-        spot.observations.iter().map(one).collect()
-    };
-    model.spots.iter().flat_map(of).collect()
 }
 
 #[cfg(test)]

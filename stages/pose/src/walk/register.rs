@@ -1,11 +1,9 @@
 //! One more photo among known points: three points at a time, and all that agree where more do than
 //! before (LO-RANSAC; Chum, Matas and Kittler 2003).
 
-use crate::adjust::damped::pose_moved;
-use crate::adjust::lens::LENS;
-use crate::adjust::residual::derivatives;
+use crate::adjust::damped::{pose_moved, weight};
+use crate::adjust::residual::{POSE, derivatives, off_px};
 use crate::two_view::epipolar::draws;
-use crate::walk::model::Model;
 use crate::walk::p3p::three_points;
 use nalgebra::{Matrix6, Point3, Vector3, Vector6};
 use shape::{Camera, Intrinsics, Pose};
@@ -84,7 +82,7 @@ fn agreeing<'a>(
         lens: *lens,
         pose: *pose,
     };
-    let near = move |k: &&Known| Model::off_px(&camera, &k.0, k.1).is_some_and(|off| off < most_px);
+    let near = move |k: &&Known| off_px(&camera, &k.0, k.1).is_some_and(|off| off < most_px);
     known.iter().filter(near).copied()
 }
 
@@ -95,11 +93,11 @@ fn polished(lens: &Intrinsics, start: &Pose, known: &[Known], loss_px: f64) -> P
         let camera = Camera { lens: *lens, pose };
         let (mut h, mut g) = (Matrix6::zeros(), Vector6::zeros());
         for (point, px) in known {
-            let Some(d) = derivatives(&camera, point, *px, loss_px) else {
+            let Some(d) = derivatives(&camera, 0.0, point, *px, loss_px) else {
                 continue;
             };
-            let weight = 1.0 / (1.0 + d.residual.norm_squared());
-            let j = d.by_unknown.fixed_columns::<6>(LENS);
+            let weight = weight(d.residual.norm_squared(), 1.0);
+            let j = d.by_shot.fixed_columns::<POSE>(0);
             h += j.transpose() * j * weight;
             g -= j.transpose() * d.residual * weight;
         }

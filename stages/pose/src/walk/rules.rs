@@ -1,6 +1,7 @@
 //! What holds a camera, and how adjustments go.
 
-use crate::walk::adjust::Terms;
+use crate::adjust::belief::Beliefs;
+use crate::adjust::bundle::Settings;
 
 /// How cameras grow.
 #[derive(Debug, Clone)]
@@ -20,6 +21,10 @@ pub(crate) struct Growth {
     pub(crate) seed: u64,
     /// Most points of an adjustment while cameras grow.
     pub(crate) most: usize,
-    /// How adjustments go, and what is believed of lenses.
-    pub(crate) terms: Terms,
+    /// Least standard deviation of an observation. \[px\]
+    pub(crate) sigma_px: f64,
+    /// What is believed of lenses.
+    pub(crate) beliefs: Beliefs,
+    /// How the last adjustments go; those before take fewer steps.
+    pub(crate) how: Settings,
 }

@@ -1,19 +1,19 @@
 //! The stage that finds the cameras of a walk.
 
+use crate::adjust::belief::Beliefs;
+use crate::adjust::bundle::Settings;
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::enlargement;
+use crate::calibration::trust::views;
 use crate::frame::circle::{RING_MM, moved};
-use crate::walk::adjust::Terms;
 use crate::walk::error::WalkError;
 use crate::walk::finish::{Finished, finished};
 use crate::walk::groups::{Groups, Widths, stored, upright};
 use crate::walk::grow::grown;
-use crate::walk::model::Seen;
-use crate::walk::points::offs;
 use crate::walk::rules::Growth;
+use crate::walk::seen::Seen;
 use crate::walk::world::{nearby, on_side, turn, world};
-use nalgebra::Point3;
-use shape::{ByPhoto, Camera, Cameras, PhotoId, Photos, Scale, Tracks, View};
+use shape::{Camera, Cameras, PhotoId, Photos, Scale, Tracks};
 use stage::{Ctx, Stage, Stop, message};
 use std::sync::Arc;
 
@@ -103,6 +103,9 @@ stage::inputs! {
     }
 }
 
+/// A step that lowers the cost by less than this share is the last (structural: a search's end).
+const GAIN: f64 = 1e-6;
+
 /// `pose.walk`: photos, tracks → cameras.
 pub struct Walk;
 
@@ -137,11 +140,11 @@ impl Stage for Walk {
         ctx.check()?;
         let missing = grown.missing();
         enough(photos, &missing, p)?;
-        let done = finished(grown, &growth, p.most_tracks as usize, p.steps as usize);
+        let done = finished(grown, &growth, p.most_tracks as usize);
         let most = p.most_px * enlargement(photos);
-        if done.rms_px > most {
+        if done.fit.rms_px > most {
             return Err(WalkError::Loose {
-                rms: done.rms_px,
+                rms: done.fit.rms_px,
                 most,
             }
             .into());
@@ -152,13 +155,14 @@ impl Stage for Walk {
         }
         let cameras = placed(photos, &done, ctx)?;
         ctx.metric("cameras", cameras.views.len() as f64, "");
-        ctx.metric("reprojection rms", done.rms_px, "px");
-        let lens = done.model.shots.first().map_or(0, |s| s.lens);
-        ctx.metric("focal", done.model.lenses[lens].focal[0], "px");
-        if let Some(sure) = &done.sure {
-            ctx.metric("focal sigma", sure.focals_px[lens], "px");
+        ctx.metric("reprojection rms", done.fit.rms_px, "px");
+        let lens = done.scene.shots.first().map_or(0, |s| s.lens);
+        ctx.metric("focal", done.scene.lenses[lens].focal[0], "px");
+        let sigma = done.fit.lens_sigmas[lens][0];
+        if sigma.is_finite() {
+            ctx.metric("focal sigma", sigma, "px");
         }
-        ctx.metric("points", done.model.spots.len() as f64, "");
+        ctx.metric("points", done.scene.points.len() as f64, "");
         Ok(cameras)
     }
 }
@@ -183,12 +187,16 @@ pub(crate) fn growth(p: &WalkParams, photos: &Photos, groups: &Groups) -> Growth
         rounds: p.rounds as usize,
         seed: p.seed as u64,
         most: p.grow_tracks as usize,
-        terms: Terms {
+        sigma_px: p.feature_px,
+        beliefs: Beliefs {
             lenses: groups.priors.clone(),
-            zoom_sigma: p.zoom_sigma,
-            sigma_px: p.feature_px,
+            zoom_sigma: Some(p.zoom_sigma),
+            ..Beliefs::default()
+        },
+        how: Settings {
             loss: p.loss,
-            steps: 12,
+            steps: p.steps as usize,
+            gain: GAIN,
         },
     }
 }
@@ -215,25 +223,15 @@ fn enough(photos: &Photos, missing: &[PhotoId], p: &WalkParams) -> Result<(), Wa
 
 /// The cameras of upright photos, in the frame of the walk.
 fn placed(photos: &Photos, done: &Finished, ctx: &Ctx<'_>) -> Result<Cameras, WalkError> {
-    let model = &done.model;
-    let offs = offs(model);
-    let view = |(s, shot): (usize, &crate::walk::model::Shot)| {
-        let photo = &photos.photos[shot.photo.0 as usize];
-        let mut own: Vec<f64> = offs.iter().filter(|o| o.0 == s).map(|o| o.1).collect();
-        own.sort_by(f64::total_cmp);
-        let view = View {
-            name: photo.name.clone(),
-            camera: upright(photo, &model.camera(s)),
-            sigma_mm: done.sure.as_ref().map(|sure| sure.centres[s]),
-            rms_px: own.get(own.len() / 2).copied(),
-            points: own.len() as u32,
-        };
-        (shot.photo, view)
-    };
-    let views: ByPhoto<View> = model.shots.iter().enumerate().map(view).collect();
+    let mut views = views(photos, &done.scene, &done.observations, &done.fit);
+    for (id, photo) in photos.iter() {
+        if let Some(view) = views.get_mut(id) {
+            view.camera = upright(photo, &view.camera);
+        }
+    }
     let list: Vec<Camera> = views.values().map(|v| v.camera).collect();
-    let points: Vec<Point3<f64>> = model.spots.iter().map(|s| s.at).collect();
-    let world = world(&list, &points).ok_or(WalkError::NoBeginning)?;
+    let points = &done.scene.points;
+    let world = world(&list, points).ok_or(WalkError::NoBeginning)?;
     if on_side(&list) {
         ctx.warn(message!(SIDEWAYS));
     }
