@@ -102,6 +102,15 @@ impl Scene {
         sigma_px: f64,
     ) -> Vec<PointObservation> {
         self.points.clear();
+        self.added(spots, sigma_px)
+    }
+
+    /// Free points beside those there are; what was seen of them.
+    pub(crate) fn added<'a>(
+        &mut self,
+        spots: impl IntoIterator<Item = &'a Spot>,
+        sigma_px: f64,
+    ) -> Vec<PointObservation> {
         let mut seen = Vec::new();
         for spot in spots {
             let point = self.points.len();

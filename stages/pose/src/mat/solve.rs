@@ -192,17 +192,7 @@ fn add_features(
         at.z.abs() < 4.0 && libm::hypot(at.x, at.y) < radius
     };
     let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
-    for track in &keep {
-        for (camera, at_px) in &track.spot.observations {
-            observations.push(PointObservation {
-                camera: *camera,
-                point: scene.points.len(),
-                at_px: *at_px,
-                sigma_px: p.feature_px,
-            });
-        }
-        scene.points.push(track.spot.at);
-    }
+    observations.extend(scene.added(keep.iter().map(|s| &s.spot), p.feature_px));
     (keep.len(), points.collect())
 }
 

@@ -2,16 +2,16 @@
 
 use crate::pictures::depth::DepthMap;
 use crate::pictures::picture::Picture;
-use crate::texture::charts::{NOWHERE, neighbours};
+use crate::texture::charts::NOWHERE;
 use crate::texture::seams::give_to_photos_beside;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::Mesh;
 
-/// For each face the picture that shows it best, and is best for its neighbours too: the fewer
+/// For each face, with those `beside` it, the picture that shows it best, and is best for its neighbours too: the fewer
 /// seams, the better. [`NOWHERE`] where no picture shows all three corners well inside of its
 /// silhouette, so that what is behind is never taken for the body.
-pub fn labels(mesh: &Mesh, pictures: &[Picture], rounds: usize) -> Vec<u16> {
+pub fn labels(mesh: &Mesh, beside: &[Vec<u32>], pictures: &[Picture], rounds: usize) -> Vec<u16> {
     let maps: Vec<_> = pictures
         .par_iter()
         .map(|p| DepthMap::new(mesh, p, 1.0))
@@ -50,7 +50,6 @@ pub fn labels(mesh: &Mesh, pictures: &[Picture], rounds: usize) -> Vec<u16> {
             .max_by(|a, b| score(a).total_cmp(&score(b)));
         top.map_or(NOWHERE, |q| q.0)
     };
-    let beside = neighbours(mesh);
     // What a seam along an edge costs, as a cosine.
     let seam = 0.25;
     let mut labels: Vec<u16> = (0..mesh.faces.len()).map(|f| best(f, &|_| 0.0)).collect();
@@ -66,7 +65,7 @@ pub fn labels(mesh: &Mesh, pictures: &[Picture], rounds: usize) -> Vec<u16> {
         });
         labels = next.collect();
     }
-    give_to_photos_beside(&mut labels, &quality, &beside, f64::from(seam));
+    give_to_photos_beside(&mut labels, &quality, beside, f64::from(seam));
     labels
 }
 

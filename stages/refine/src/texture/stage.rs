@@ -72,8 +72,9 @@ impl Stage for Texture {
             .map(|(id, view)| (id, view.camera))
             .collect();
         let small = input.pictures(&SMALL, || ctx.check().map_err(Stop::from))?;
-        let labels = labels(&mesh, &small, p.rounds as usize);
-        let charts = charts(&neighbours(&mesh), &labels);
+        let beside = neighbours(&mesh);
+        let labels = labels(&mesh, &beside, &small, p.rounds as usize);
+        let charts = charts(&beside, &labels);
         let VertexColours { own, mean } = vertex_colours(&mesh, &labels, &photos, &views, &small)?;
         let sheet = |c| Sheet::new(&mesh, c, &views);
         let sheets: Vec<Sheet<'_>> = charts.iter().map(sheet).collect();
