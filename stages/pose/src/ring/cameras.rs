@@ -9,7 +9,9 @@ use crate::calibration::prior::{enlargement, knows_focal};
 use crate::calibration::trust::{misfits, nudged, views, warnings};
 use crate::frame::circle::{RING_MM, camera_circle, in_ring_frame};
 use crate::ring::error::TracksError;
+use crate::ring::folded::unfolded;
 use crate::ring::pairs::LEAST_FEATURES;
+use nalgebra::Point3;
 use shape::{Cameras, Photos, Scale};
 use stage::message;
 
@@ -56,9 +58,13 @@ pub(crate) fn to_cameras(
         ground_mm: 0.0,
         points: points.collect(),
     };
-    let off = camera_circle(&cameras).map_or(f64::INFINITY, |c| c.rms / c.radius);
-    if off > p.off_ring {
-        return Err(TracksError::NoRing { off: off * 100.0 });
+    let circle = camera_circle(&cameras);
+    let off = circle.map_or(f64::INFINITY, |c| c.rms / c.radius);
+    let circle = circle.filter(|_| off <= p.off_ring);
+    let circle = circle.ok_or(TracksError::NoRing { off: off * 100.0 })?;
+    if p.motion == Motion::Any {
+        let centres: Vec<Point3<f64>> = scene.shots.iter().map(|s| s.pose.centre()).collect();
+        unfolded(&centres, circle.centre, &solved.observations)?;
     }
     seen_by_features(&cameras)?;
     let cameras = in_ring_frame(&cameras, RING_MM);

@@ -40,5 +40,16 @@ stage::failures! {
             /// Root mean square, of the ring's radius. \[%\]
             off: f64,
         } = "fail-no-ring": "the cameras came out {off:.1 %} off a ring, so they are not to be trusted: is this a walk around somebody who does not move (then --walk)? Did the subject turn on the spot, without a disk (then --turning)? Are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help",
+        /// Cameras near each other that do not see the same.
+        Folded {
+            /// Pairs of cameras near each other that share too little.
+            pairs: usize,
+            /// Pairs of cameras near each other.
+            of: usize,
+            /// How far those are apart, at most. \[°\]
+            apart: f64,
+            /// Features that fix a camera.
+            least: u32,
+        } = "fail-folded": "{pairs} of {of} pairs of photos that came out within {apart:.0 °} of each other have fewer than {least} features in common, so different sides of the subject were laid on each other: put the photos into turning order, or a marker mat (`tailor mat`) on the disk; did the subject turn on the spot, without a disk (then --turning)?",
     }
 }
