@@ -56,7 +56,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 46;
+    const VERSION: u32 = 47;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;

@@ -106,13 +106,16 @@ fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Shown, Refusal> {
     let height = |p: &Plane| -down.dot(&Vector3::from(p.point_mm));
     let last = height(&found.last().ok_or(Refusal::NoSection)?.0) - BELOW_JOIN * body.stature;
     let highest = last.min(web - CLEAR_OF_WEB * body.stature);
+    // Nor is a fault of the surface at one section a leg's.
+    let whole = found.iter().zip(skin).filter(|(_, web)| *web < 1.0);
+    let mut found: Vec<(Plane, f64)> = whole.map(|(f, _)| *f).collect();
     found.retain(|f| height(&f.0) <= highest);
     // The tape right there, for it may be the fullest.
     let below = found.last().ok_or(Refusal::NoSection)?.0;
     let up = -down * (highest - height(&below));
-    if let Some((plane, ring)) = across.through(Point3::from(below.point_mm) + up) {
-        found.push((plane, ring.tape));
-    }
+    let there = across.through(Point3::from(below.point_mm) + up);
+    let there = there.filter(|(_, ring)| webbed(ring, &inward) < 1.0);
+    found.extend(there.map(|(plane, ring)| (plane, ring.tape)));
     let among = |f: &&(Plane, f64)| f.0.point_mm[2] >= body.ground + LOWEST_SHARE * top;
     let fullest = *found
         .iter()

@@ -130,6 +130,22 @@ fn thighs_measured_below_a_web_have_intervals_that_hold_the_thigh_without_it() {
 }
 
 #[test]
+fn a_fault_of_the_surface_between_the_thighs_costs_none() {
+    let whole = meshed(&built(TALL, 1.0, 30.0), 6.0);
+    let free = measured(whole.clone(), false);
+    let thigh = free.get("TC_L").unwrap();
+    let level = thigh.plane.point_mm[2] as f32 - 5.0;
+    for pulled in [18.0, 20.0, 22.0] {
+        let mut mesh = whole.clone();
+        let near = |p: &&mut [f32; 3]| p[1].abs() < 40.0 && (p[2] - level).abs() < 6.0;
+        let inner = mesh.positions.iter_mut().filter(|p| p[0] > 0.0 && near(p));
+        inner.min_by(|a, b| a[0].total_cmp(&b[0])).unwrap()[0] -= pulled;
+        let girths = measured(mesh, false);
+        as_of(&girths, &free, &["TC_L", "TC_R"], 0.02);
+    }
+}
+
+#[test]
 fn a_lost_leg_costs_the_legs_alone() {
     let whole = meshed(&built(TALL, 1.0, 30.0), 10.0);
     let mut one = whole.clone();
