@@ -83,7 +83,7 @@ fn one(
         }
     }
     for spanned in &sweep.tell {
-        if let Some(what) = untold_by_all(&recipes, spanned, &names, catalog) {
+        if let Some(what) = reported_by_none(&recipes, spanned, &names, catalog) {
             wrong(mistakes, spanned, what);
         }
     }
@@ -190,7 +190,7 @@ fn over_one(
 }
 
 /// Why a metric is there in none of the variants.
-fn untold_by_all(
+fn reported_by_none(
     recipes: &[Recipe],
     spanned: &Spanned<String>,
     names: &[&str],

@@ -124,16 +124,16 @@ pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>) -> Result<Judgement, Walk
     let [reported, settled, agree] =
         [&found.reported[..], all.settled, &found.agree[..]].map(middle);
     let metrics = [
-        ("told by colour", percent(reported)),
+        ("right by colour", percent(reported)),
         ("settled", percent(settled)),
         ("agree", percent(agree)),
         ("features lacking", percent(found.lacking)),
     ];
     let asked = percent(p.least_agreement);
-    if reported < p.least_told {
+    if reported < p.least_by_color {
         return Err(WalkCutError::Alike(
             percent(reported),
-            percent(p.least_told),
+            percent(p.least_by_color),
         ));
     }
     if settled < p.least_agreement {
@@ -180,7 +180,7 @@ fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize
     let which = |is: &dyn Fn(usize) -> bool| -> Vec<usize> {
         (0..found.reported.len()).filter(|k| is(*k)).collect()
     };
-    let alike = which(&|k| found.reported[k] < p.least_told - NAMED_BELOW);
+    let alike = which(&|k| found.reported[k] < p.least_by_color - NAMED_BELOW);
     if !alike.is_empty() {
         let list = names(all, &alike);
         warnings.push(message!(SAME_COLOURS).of_what(list));

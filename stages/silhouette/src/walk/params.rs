@@ -48,7 +48,7 @@ stage::params! {
         /// Least share of the pixels near the outlines (in the middle photo) that colours alone put on
         /// the right side.
         #[range(0.5..=1.0)]
-        least_told: f64 = 0.82,
+        least_by_color: f64 = 0.82,
         /// How alike (intersection over union, in the middle photo) outlines of the last two passes
         /// must be, and outlines and what all photos together show.
         #[range(0.0..=1.0)]
@@ -71,7 +71,7 @@ stage::failures! {
         /// Nothing found.
         Nothing = "fail-walk-nothing": "nothing amid the cameras differs from the background by its colours: is the subject in the middle of the photos? hand in masks, or take the photos before another background",
         /// Colours alike.
-        Alike(share: f64, least: f64) = "fail-walk-colours": "subject and background have nearly the same colours: beside the outline only {share:.0 %} of the pixels are on the side of their colour ({least:.0 %} are asked for, `least_told`), so the masks would be guesses: hand in masks, or take the photos before another background",
+        Alike(share: f64, least: f64) = "fail-walk-colours": "subject and background have nearly the same colours: beside the outline only {share:.0 %} of the pixels are on the side of their colour ({least:.0 %} are asked for, `least_by_color`), so the masks would be guesses: hand in masks, or take the photos before another background",
         /// Masks that change.
         Unsettled(share: f64, least: f64) = "fail-walk-unsettled": "the outlines do not settle: those of the last two passes share only {share:.0 %} ({least:.0 %} are asked for, `least_agreement`): hand in masks",
         /// Masks that contradict each other.

@@ -35,13 +35,13 @@ const FEWEST_PHOTOS: usize = 6;
 
 impl Stage for Walk {
     const NAME: &'static str = "silhouette.walk";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Cuts a subject out of photos of a walk around it: what all cameras look at, by colours, cells and graph cuts (Campbell, Vogiatzis, Hernández and Cipolla 2010), or reports why it would be a guess.";
     type Params = WalkParams;
     type Input = WalkInput;
     type Output = Masks;
     const METRICS: &'static [&'static str] = &[
-        "told by colour",
+        "right by colour",
         "settled",
         "agree",
         "bottom",

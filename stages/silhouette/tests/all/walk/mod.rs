@@ -159,7 +159,7 @@ fn the_same_bytes_come_with_any_number_of_threads() {
     };
     let p = WalkParams {
         cells: 48,
-        least_told: 0.5,
+        least_by_color: 0.5,
         least_agreement: 0.0,
         most_lacking: 1.0,
         ..WalkParams::default()
