@@ -124,7 +124,7 @@ pub use registered::{median, registered};
 pub use resize::{LOOKED_AT_MPX, within};
 pub use rig::{CONTRADICTION, GIVEN_STATURE, Mat, Reference, Rig, Rim, SeenEnds};
 pub use ring::cameras_to_svg;
-pub use scene::{FoundBody, InPhoto, Scene, Seen};
+pub use scene::{InPhoto, Scene, Seen};
 pub use silhouette::{DISSENT_DEPTH, MIN_DISSENT_PHOTOS, Silhouette, deep_dissent, sole_dissent};
 pub use solid::{Furrow, Level, Part as SolidPart, Solid};
 pub use some_photos::some_photos;

@@ -35,15 +35,6 @@ pub struct InPhoto {
     pub disk_turn: Option<f64>,
 }
 
-/// The body as it was found together with the scene.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FoundBody {
-    /// The reduced photo: true is body.
-    pub body: Image<bool>,
-    /// Its pixels that were found to be patches of the background, in rising order.
-    pub background_patches: Vec<u32>,
-}
-
 /// The scene without the body: what does not move, and the top of the disk, which turns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
@@ -54,8 +45,8 @@ pub struct Scene {
     pub disk: Option<Seen>,
     /// How `still` comes to what each photo would show.
     pub views: ByPhoto<InPhoto>,
-    /// The body on each photo, where scene and body were found together.
-    pub bodies: ByPhoto<FoundBody>,
+    /// The body on each reduced photo, true is body, where scene and body were found together.
+    pub bodies: ByPhoto<Image<bool>>,
 }
 
 impl Scene {
@@ -71,10 +62,8 @@ impl Scene {
 
     /// Hash of all that a photo's background follows from, but for the photo itself: for [`stage::Ctx::part`].
     pub fn content_for(&self, picture: Hash, id: PhotoId) -> Hash {
-        let body = self.bodies.get(id).map(|found| {
-            let body = stage::hash(&sides(&found.body.data));
-            (body, &found.background_patches)
-        });
+        let body = self.bodies.get(id);
+        let body = body.map(|body| stage::hash(&sides(&body.data)));
         let text = format!("{picture} {:?} {body:?}", self.views.get(id));
         stage::hash(text.as_bytes())
     }
@@ -108,12 +97,12 @@ type Meta = (Size, Option<Size>, Vec<ViewRow>, Vec<(u32, Size)>);
 
 impl Artifact for Scene {
     const KIND: &'static str = "scene";
-    const FORMAT: u32 = 2;
+    const FORMAT: u32 = 3;
 
     fn pack(&self, to: &mut Packer) {
         let views = self.views.iter();
         let views = views.map(|(id, v)| (id.0, v.tones.is_some(), v.disk_turn));
-        let bodies = self.bodies.iter().map(|(id, b)| (id.0, size(&b.body)));
+        let bodies = self.bodies.iter().map(|(id, body)| (id.0, size(body)));
         let meta: Meta = (
             size(&self.still.image),
             self.disk.as_ref().map(|disk| size(&disk.image)),
@@ -132,10 +121,8 @@ impl Artifact for Scene {
                 to.section(format!("tones {}", id.0), tones.as_flattened());
             }
         }
-        for (id, found) in self.bodies.iter() {
-            to.section(format!("body {}", id.0), &sides(&found.body.data));
-            let patches = format!("background patches {}", id.0);
-            to.section(patches, &found.background_patches);
+        for (id, body) in self.bodies.iter() {
+            to.section(format!("body {}", id.0), &sides(&body.data));
         }
     }
 
@@ -148,19 +135,7 @@ impl Artifact for Scene {
         };
         let body = |(id, size): (u32, Size)| {
             let body = from_sides(&from.section(&format!("body {id}"))?, count(&size))?;
-            let body = picture(size, body, "a body")?;
-            let background_patches: Vec<u32> = from.section(&format!("background patches {id}"))?;
-            if background_patches
-                .iter()
-                .any(|i| *i as usize >= body.data.len())
-            {
-                return Err(Corrupt("a patch outside of its photo".into()));
-            }
-            let found = FoundBody {
-                body,
-                background_patches,
-            };
-            Ok((PhotoId(id), found))
+            Ok((PhotoId(id), picture(size, body, "a body")?))
         };
         Ok(Scene {
             still: seen(from, "still", still)?,
@@ -207,15 +182,11 @@ mod tests {
             tones: Some([[7; 256]; 3]),
             disk_turn: Some(0.25),
         };
-        let found = FoundBody {
-            body,
-            background_patches: vec![1],
-        };
         Scene {
             still,
             disk: Some(Seen::whole(Rgb::filled(2, 2, [1; 3]))),
             views: [(PhotoId(3), view)].into_iter().collect(),
-            bodies: [(PhotoId(3), found)].into_iter().collect(),
+            bodies: [(PhotoId(3), body)].into_iter().collect(),
         }
     }
 
@@ -228,13 +199,5 @@ mod tests {
         let unknown = Scene::unknown();
         let bytes = stage::to_bytes(&unknown);
         assert!(stage::from_bytes::<Scene>(&bytes).unwrap().is_unknown());
-    }
-
-    #[test]
-    fn a_patch_outside_of_its_photo_is_refused() {
-        let mut scene = scene();
-        let found = scene.bodies.get_mut(PhotoId(3)).unwrap();
-        found.background_patches = vec![2];
-        assert!(stage::from_bytes::<Scene>(&stage::to_bytes(&scene)).is_err());
     }
 }

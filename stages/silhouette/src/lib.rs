@@ -48,8 +48,7 @@
 //! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
 //! | parts | the body is the largest part; by colours alone, without specks | `label/parts.rs` |
 //!
-//! Beside the energy, each with its reason in its file: patches that stay in place as the body turns are background
-//! (`empty_scene/background_patches.rs`); narrow ends of gaps are followed at full size, where a photo outweighs the rest (`border/narrow_gaps.rs`).
+//! Beside the energy, with its reason in its file: narrow ends of gaps are followed at full size, where a photo outweighs the rest (`border/narrow_gaps.rs`).
 //! Without a plate the scene is what most photos agree on to the level (`empty_scene/recurring.rs`), and where two photos
 //! agree on a colour that the body has not, if the learned sense is not sure of the body there.
 //!
@@ -87,7 +86,7 @@ pub use cut::least_cut::Known;
 pub use cut::maxflow::{Grid, STEPS};
 pub use empty_scene::recurring::Recurring;
 pub use empty_scene::stage::{EmptyScene, EmptySceneInput, EmptySceneParams};
-pub use empty_scene::without_plate::{Cuts, without_plate};
+pub use empty_scene::without_plate::without_plate;
 pub use grabcut::{GrabCut, GrabCutInput};
 pub use import::{Body, Import, ImportError, ImportInput, ImportParams};
 pub use label::color_cut::{Settings, coarse};

@@ -58,11 +58,6 @@ impl Vouched {
         Some(Vouched { bare, body })
     }
 
-    /// Whether a pixel of a cut is before a background that some photo shows.
-    pub(crate) fn before_scene(&self, cut: &Image<bool>, i: usize) -> bool {
-        cut.data[i] && self.bare.data[i]
-    }
-
     /// Whether nothing but its colour can tell if a pixel of a cut is body.
     pub(crate) fn alone(&self, shot: &Shot, cut: &Image<bool>, i: usize, radius: f64) -> bool {
         cut.data[i] && !self.bare.data[i] && !shot.shows_disk(i, radius)

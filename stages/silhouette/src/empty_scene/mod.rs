@@ -1,6 +1,5 @@
 //! The empty scene without a photo of it: out of all photos of the turn, with the body's outlines.
 
-pub(crate) mod background_patches;
 pub(crate) mod doubtful_patches;
 pub(crate) mod full_size;
 pub(crate) mod means;

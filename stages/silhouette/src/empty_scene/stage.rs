@@ -3,15 +3,13 @@
 use crate::align::rectangle::Rectangle;
 use crate::empty_scene::doubtful_patches::doubtful;
 use crate::empty_scene::full_size::{Views, at_full_size, shots};
-use crate::empty_scene::without_plate::{Cuts, without_plate};
+use crate::empty_scene::without_plate::without_plate;
 use crate::label::color_cut::Settings;
 use crate::likelihood::person::sense;
 use crate::params::{CutError, CutParams, DISK_SIDE_MM};
 use crate::scene::backdrop::still;
 use crate::scene::still_and_disk::Shot;
-use shape::{
-    Aligned, Cameras, FoundBody, Image, InPhoto, People, Photo, PhotoId, Photos, Rgb, Scene,
-};
+use shape::{Aligned, Cameras, Image, InPhoto, People, Photo, PhotoId, Photos, Rgb, Scene};
 use stage::{Ctx, Message, Stage, Stop, message};
 use std::sync::Arc;
 
@@ -59,7 +57,7 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 13;
+    const VERSION: u32 = 14;
     const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: what most of them share, and the body's outlines on which they agree.";
     type Params = EmptySceneParams;
     type Input = EmptySceneInput;
@@ -131,10 +129,7 @@ fn found(
     let factor = shots.first().map_or(1, |s| wide as usize / s.small.width);
     let within = rectangle.map(|r| (r, factor));
     let settings = Settings::of(&p.cut);
-    let Cuts {
-        cuts,
-        background_patches,
-    } = without_plate(
+    let cuts = without_plate(
         shots,
         still,
         cameras,
@@ -166,16 +161,11 @@ fn found(
     };
     let (still, disk) = at_full_size(&views, || ctx.check().map_err(Stop::from))?;
     let ids = || known.iter().map(|(id, _)| *id);
-    let body = |(body, patches): (Image<bool>, Vec<usize>)| FoundBody {
-        body,
-        background_patches: patches.into_iter().map(|i| i as u32).collect(),
-    };
-    let bodies = cuts.into_iter().zip(background_patches).map(body);
     let scene = Scene {
         still,
         disk,
         views: ids().map(|id| (id, InPhoto::default())).collect(),
-        bodies: ids().zip(bodies).collect(),
+        bodies: ids().zip(cuts).collect(),
     };
     Ok((scene, doubted))
 }

@@ -2,7 +2,6 @@
 
 use crate::align::rectangle::Rectangle;
 use crate::cut::least_cut::Known;
-use crate::empty_scene::background_patches::background_patches;
 use crate::empty_scene::recurring::Recurring;
 use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
@@ -22,17 +21,6 @@ use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb, parts};
 
-/// The cuts of reduced photos, with what they follow from that a photo alone cannot tell.
-pub struct Cuts {
-    /// True is body; `None` where a photo shows nothing that moves.
-    pub cuts: Vec<Option<Image<bool>>>,
-    /// Of each photo the pixels that were found to be bits of the background.
-    pub(crate) background_patches: Vec<Vec<usize>>,
-}
-
-/// Rounds of finding background patches, each by the masks without those before. By hand: not on record.
-const PATCH_ROUNDS: usize = 2;
-
 /// A part of the background that is seen amid the turn must be so large a share of the photo. By hand: looked at 0 in
 /// its place (docs/lab/masks.md): mean IoU the same on three scenes, −0.11 on the mannequin.
 const MIN_ISLAND_SHARE: f64 = 0.004;
@@ -43,7 +31,7 @@ const MUST_AGREE: f32 = 1.0;
 /// (docs/lab/masks.md), no glimpses: mean IoU −0.0003 on eight scenes, their least photos −0.0014.
 const MIN_AGREEMENT: f32 = 0.3;
 
-/// Masks of reduced photos without a plate. `still` is what does not change around the turn, `within` a rectangle that holds the body, and how many of
+/// Masks of reduced photos without a plate, true is body; `None` where a photo shows nothing that moves. `still` is what does not change around the turn, `within` a rectangle that holds the body, and how many of
 /// its pixels became one; `people` the log-odds of the body by a person's sense, photo by photo, or nothing. \[nats\]
 pub fn without_plate(
     shots: &[Shot],
@@ -53,7 +41,7 @@ pub fn without_plate(
     disk_side_mm: f64,
     within: Option<(Rectangle, usize)>,
     people: &[Vec<f32>],
-) -> Cuts {
+) -> Vec<Option<Image<bool>>> {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
     let recurring = Recurring::of(&smalls);
@@ -78,18 +66,8 @@ pub fn without_plate(
     }
     let covered = on_the_disk(shots, &backdrop, body.as_ref(), radius);
     let mut ready = turn.ready(&backdrop, &covered);
-    let mut cuts = [vec![None; shots.len()], vec![None; shots.len()]];
-    turn.together(&mut ready, &vec![true; shots.len()], &mut cuts);
-    let background_patches = turn.laid_bare(&mut ready, &mut cuts);
-    let [_, cuts] = cuts;
-    Cuts {
-        cuts,
-        background_patches,
-    }
+    turn.together(&mut ready)
 }
-
-/// The cuts of photos, each alone and again by the evidence of all together; `None` where one shows nothing that moves.
-type CutTwice = [Vec<Option<Image<bool>>>; 2];
 
 /// A turn whose photos are cut.
 struct Turn<'a> {
@@ -151,46 +129,22 @@ impl Turn<'_> {
         ready
     }
 
-    /// Bits of the background within the cuts. Photos that show some are cut again without.
-    fn laid_bare(&self, ready: &mut [Prepared], cuts: &mut CutTwice) -> Vec<Vec<usize>> {
-        let mut all = vec![vec![]; ready.len()];
-        for _ in 0..PATCH_ROUNDS {
-            let background_patches = background_patches(self.shots, &cuts[1], self.radius);
-            let changed: Vec<bool> = background_patches.iter().map(|p| !p.is_empty()).collect();
-            if !changed.contains(&true) {
-                break;
-            }
-            for (ready, background_patches) in ready.iter_mut().zip(&background_patches) {
-                ready.lay_bare(background_patches);
-            }
-            self.together(ready, &changed, cuts);
-            for (all, background_patches) in all.iter_mut().zip(background_patches) {
-                all.extend(background_patches);
-            }
-        }
-        all
-    }
-
-    /// Each photo that changed cut alone, then again by the evidence of all together.
-    fn together(&self, ready: &mut [Prepared], changed: &[bool], cuts: &mut CutTwice) {
+    /// Each photo cut alone, then again by the evidence of all together.
+    fn together(&self, ready: &mut [Prepared]) -> Vec<Option<Image<bool>>> {
         let cut = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
-        let [alone, again] = cuts;
-        let all = alone.par_iter_mut().zip(&*ready).zip(changed);
-        all.filter(|(_, changed)| **changed)
-            .for_each(|((alone, ready), _)| *alone = cut(ready));
-        let masks = self.shots.iter().zip(&*alone);
+        let alone: Vec<Option<Image<bool>>> = ready.par_iter().map(cut).collect();
+        let masks = self.shots.iter().zip(&alone);
         let masks: Vec<(PhotoId, Mask)> = masks
             .filter_map(|(shot, cut)| Some((shot.id, as_mask(cut.as_ref()?))))
             .collect();
         let agreement = Agreement::of(&masks, self.cameras);
-        let all = again.par_iter_mut().zip(ready).zip(self.shots).zip(changed);
-        all.filter(|(_, changed)| **changed)
-            .for_each(|(((again, ready), shot), _)| {
-                let person = ready.person.clone();
+        let again = ready.par_iter_mut().zip(self.shots);
+        again
+            .map(|(ready, shot)| {
                 ready.add_odds(agreement.odds(shot.id));
-                *again = cut(ready);
-                (ready.person, ready.unforeseen) = (person, None);
-            });
+                cut(ready)
+            })
+            .collect()
     }
 }
 

@@ -10,8 +10,8 @@ use crate::params::{CutError, CutParams};
 use crate::raster::{as_mask, only};
 use rayon::prelude::*;
 use shape::{
-    Aligned, Evidence, FoundBody, Image, Label as Labelled, Labels, MaskRuns, Masks, PhotoEvidence,
-    PhotoId, Photos, Scene,
+    Aligned, Evidence, Image, Label as Labelled, Labels, MaskRuns, Masks, PhotoEvidence, PhotoId,
+    Photos, Scene,
 };
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -151,11 +151,11 @@ fn with_all(
 /// As all photos agreed while the scene was found.
 fn as_found(
     evidence: &PhotoEvidence,
-    found: &FoundBody,
+    found: &Image<bool>,
     settings: &Settings,
     name: &str,
 ) -> Result<Labelled, CutError> {
-    let sides = found.body.clone();
+    let sides = found.clone();
     let of_body = sides.data.iter().zip(&evidence.photo.data);
     let of_body = of_body.filter(|(b, _)| **b);
     let colors: Vec<[u8; 3]> = of_body.map(|(_, c)| *c).step_by(7).collect();

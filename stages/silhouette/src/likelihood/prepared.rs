@@ -65,14 +65,6 @@ impl Prepared {
         self.mirrored = gained;
     }
 
-    /// Takes it that pixels show the background.
-    pub(crate) fn lay_bare(&mut self, pixels: &[usize]) {
-        for i in pixels {
-            self.known[*i] = Known::Background;
-            self.cost[*i] = FLAT;
-        }
-    }
-
     /// As it is stored.
     pub(crate) fn evidence(self) -> PhotoEvidence {
         PhotoEvidence {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras, Image, Intrinsics, PhotoId, Pose, Rgb, Scale, View as PhotoView};
-use silhouette::{Cuts, Settings, Shot, still, without_plate};
+use silhouette::{Settings, Shot, still, without_plate};
 use std::collections::BTreeMap;
 
 const SIZE: (usize, usize) = (120, 160);
@@ -86,7 +86,7 @@ fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
     };
     let smalls: Vec<&Rgb> = shots.iter().map(|s| &s.small).collect();
     let still = still(&smalls);
-    let Cuts { cuts, .. } = without_plate(shots, &still, &cameras, &settings, 0.0, None, &[]);
+    let cuts = without_plate(shots, &still, &cameras, &settings, 0.0, None, &[]);
     let mut seen = BTreeMap::new();
     for (k, (shot, cut)) in shots.iter().zip(&cuts).enumerate() {
         let cut: &Image<bool> = cut.as_ref().expect("a body");
