@@ -125,8 +125,9 @@ where
         let y = y.clamp(0.0, (self.height - 1) as f32);
         let (x0, y0) = (x as usize, y as usize);
         let (x1, y1) = ((x0 + 1).min(self.width - 1), (y0 + 1).min(self.height - 1));
-        let four = [(x0, y0), (x1, y0), (x0, y1), (x1, y1)];
-        let four = four.map(|(x, y)| f32::from(self.at(x, y)));
+        // One by one: a map of an array is a call where many pixels are asked.
+        let at = |x, y| f32::from(self.at(x, y));
+        let four = [at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1)];
         crate::bilinear(four, [x - x0 as f32, y - y0 as f32])
     }
 }
