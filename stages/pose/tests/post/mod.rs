@@ -90,6 +90,8 @@ pub(crate) fn framed_and_warned(
     tags: Option<Tags>,
     plate: Option<Photo>,
 ) -> (Result<Cameras, String>, Vec<String>) {
+    // On black photos is no disk: without a plate and tags nothing is lost where none is searched.
+    let disk = plate.is_some() || tags.is_some();
     let cameras = turn();
     let black = shape::Image::filled(320, 480, 0);
     let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
@@ -119,6 +121,7 @@ pub(crate) fn framed_and_warned(
     };
     let params = FrameParams {
         search_px: 200,
+        disk,
         ..FrameParams::default()
     };
     let (heard, nothing) = (Heard::default(), stage::hash(b""));

@@ -107,7 +107,7 @@ fn a_camera_that_only_turned_on_the_spot_is_refused() {
 
 #[test]
 fn features_that_scatter_are_refused() {
-    let truth = walk(12);
-    let error = walked(12, tracks(&truth, 12.0), &Listening::default()).unwrap_err();
+    let truth = walk(8);
+    let error = walked(8, tracks(&truth, 12.0), &Listening::default()).unwrap_err();
     assert!(error.contains("places well apart"), "{error}");
 }
