@@ -4,13 +4,30 @@ use measure::{BodyInput, FindBody, FindLandmarks, GirthInput, GirthParams, Landm
 use measure::{LandmarkParams, Measure};
 use shape::{BodyFeatures, Cameras, Girths, Landmarks, LostParts, Masks, Mesh, Person, Photos};
 use shape::{Scale, Solid};
-use stage::{Ctx, Host, Stage, Stop};
+use stage::{Ctx, Hash, Host, Stage, Stop};
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 use synth::{Build, body_solid, bounds, surface};
 
 /// Surfaces that a test has made or is making, by what they are of: many ask for the same body.
 static MADE: LazyLock<Mutex<HashMap<String, Arc<OnceLock<Mesh>>>>> = LazyLock::new(Mutex::default);
+
+/// What was found and measured on surfaces alone, by what they are: many tests ask for the same.
+static FOUND: LazyLock<Mutex<HashMap<Hash, Arc<Alone>>>> = LazyLock::new(Mutex::default);
+
+/// What comes of a surface without cameras and photos.
+#[derive(Default)]
+struct Alone {
+    features: OnceLock<Arc<BodyFeatures>>,
+    measured: OnceLock<(Landmarks, Girths)>,
+}
+
+impl Alone {
+    fn of(mesh: &Mesh) -> Arc<Alone> {
+        let of = stage::content(mesh);
+        FOUND.lock().unwrap().entry(of).or_default().clone()
+    }
+}
 
 /// A standing body whose arms are so far from its sides.
 pub(crate) fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
@@ -100,7 +117,11 @@ impl Given {
             };
             Arc::new(FindBody::run(&(), input, &Ctx::alone()).unwrap())
         };
-        self.found.get_or_init(find).clone()
+        let known = || match self.on {
+            None => Alone::of(&self.mesh).features.get_or_init(find).clone(),
+            Some(_) => find(),
+        };
+        self.found.get_or_init(known).clone()
     }
 
     /// Its landmarks, or why there are none at all.
@@ -154,5 +175,7 @@ impl Given {
 
 /// Landmarks and girths of a surface alone, without cameras and photos.
 pub(crate) fn measured(mesh: Mesh) -> (Landmarks, Girths) {
-    Given::of(&mesh).measured()
+    let alone = Alone::of(&mesh);
+    let measured = alone.measured.get_or_init(|| Given::of(&mesh).measured());
+    measured.clone()
 }
