@@ -11,7 +11,7 @@ fn fine(cell_mm: &str) -> String {
 /// Photos that take seconds, and look between two whether to stop.
 const PHOTOS: &str = "goal = \"photos\"\n[node.solid]\nstage = \"synth.solid\"\nwith = { stature_mm = 600.0 }\n\
     [node.body]\nstage = \"synth.body\"\nfrom = [\"solid\"]\nwith = { cell_mm = 12.0 }\n\
-    [node.ring]\nstage = \"synth.ring\"\nwith = { views = 12, width = 300, height = 390, distance_mm = 1100.0, \
+    [node.ring]\nstage = \"synth.ring\"\nwith = { views = 12, width = 150, height = 195, distance_mm = 1100.0, \
     camera_mm = 560.0, look_mm = 240.0, disk_mm = 300.0 }\n[node.sway]\nstage = \"synth.sway\"\n\
     from = { cameras = \"ring\" }\nwith = { breast_mm = 440.0 }\n[node.photos]\nstage = \"synth.turn\"\n\
     from = { mesh = \"body\", cameras = \"ring\", sway = \"sway\" }\nwith = { rays = 4 }\n";

@@ -19,7 +19,7 @@ fn body(arms_deg: f64, stature: f64, belt_mm: f64) -> Mesh {
         exponent: 2.3,
     });
     let (low, high) = bounds(&solid);
-    let mut mesh = surface(&solid, low, high, 11.0);
+    let mut mesh = surface(&solid, low, high, 15.0);
     for at in &mut mesh.positions {
         let [x, y, z] = at.map(f64::from);
         let high = (z - 0.62 * stature) / 60.0;

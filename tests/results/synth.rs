@@ -9,19 +9,20 @@ use tailor::graph::{Bound, Graph, Source};
 use tailor::recipe::{Overrides, Pipeline, open};
 use tailor::walk::{Done, Status, Watch};
 
-/// A doll of 60 cm on a disk with a marker mat, twelve photos of a fifth of a megapixel.
+/// A doll of 60 cm on a disk with a marker mat, twelve photos of a ninth of a megapixel, cut at half their size first.
 const SMALL: &[&str] = &[
     "solid.stature_mm=600",
     "true_body.cell_mm=5",
     "ring.views=12",
-    "ring.width=400",
-    "ring.height=520",
+    "ring.width=300",
+    "ring.height=390",
     "ring.distance_mm=1100",
     "ring.camera_mm=560",
     "ring.look_mm=240",
     "ring.disk_mm=300",
     "sway.breast_mm=440",
-    "photos.rays=2",
+    "photos.rays=1",
+    "aligned.coarse_px=200",
 ];
 
 fn small(more: &[&str]) -> Graph {
@@ -61,7 +62,7 @@ fn run(graph: &Graph, cache: &Path, wanted: &[usize]) -> (Outcome, Vec<String>) 
 #[test]
 fn a_body_given_by_formula_comes_back_from_its_photos() {
     let place = tempfile::tempdir().unwrap();
-    let graph = small(&["photos.rays=1"]);
+    let graph = small(&[]);
     let node = |name: &str| graph.node(name).unwrap();
     let (outcome, _) = run(&graph, place.path(), &graph.goal);
     let metrics = &outcome.nodes[node("score")].as_ref().unwrap().metrics;
@@ -92,7 +93,7 @@ fn a_body_given_by_formula_comes_back_from_its_photos() {
     // Again, nothing runs; a coarser hull takes no photo anew.
     let (_, made) = run(&graph, place.path(), &graph.goal);
     assert_eq!(made, Vec::<String>::new());
-    let coarse = small(&["photos.rays=1", "hull.voxel_mm=6"]);
+    let coarse = small(&["hull.voxel_mm=6"]);
     let (_, made) = run(&coarse, place.path(), &[coarse.node("hull").unwrap()]);
     assert_eq!(made, ["hull"]);
 }
@@ -159,7 +160,6 @@ fn cameras_come_from_features_alone_though_the_subject_sways() {
     let place = tempfile::tempdir().unwrap();
     // On a grown person: 8 mm at the breast.
     let graph = small(&[
-        "photos.rays=1",
         "photos.mat=false",
         "photos.finest_mm=2",
         "photos.contrast=0.9",
@@ -186,7 +186,7 @@ fn cameras_come_from_features_alone_though_the_subject_sways() {
 #[test]
 fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
     let place = tempfile::tempdir().unwrap();
-    let graph = small(&["ring.views=3", "true_body.cell_mm=9", "photos.rays=1"]);
+    let graph = small(&["ring.views=3", "true_body.cell_mm=9"]);
     let node = graph.node("photos").unwrap();
     let (outcome, _) = run(&graph, place.path(), &[node]);
     let artifact = outcome.artifact(&graph, node).unwrap();
