@@ -14,6 +14,7 @@ mod fingerprints;
 mod front;
 mod results;
 mod serve;
+mod small;
 mod sweeps;
 #[path = "tidy/main.rs"]
 mod tidy;

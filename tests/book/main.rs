@@ -48,7 +48,7 @@ fn pages() -> Vec<String> {
 
 /// A folder with what ships, in which the commands of pages are run: one for all, so that what two of them ask for is made once.
 /// What another run of tests left there is removed first.
-static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
+pub(crate) static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     match std::fs::remove_dir_all(&folder) {
         Err(e) if e.kind() != std::io::ErrorKind::NotFound => panic!("{e}: {folder:?}"),

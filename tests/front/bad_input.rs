@@ -146,7 +146,7 @@ fn photos_of_several_sizes_are_no_turn_but_may_be_a_walk() {
     let upright = image::open(&name).unwrap();
     upright.rotate90().save(&name).unwrap();
     let printed = place.run("run body --input photos=walk photos").code(1);
-    for expected in ["5 are 800×1200", "0002.jpg is 1200×800", "--walk"] {
+    for expected in ["5 are 400×600", "0002.jpg is 600×400", "--walk"] {
         assert!(
             printed.err.contains(expected),
             "{expected}: {}",

@@ -1,11 +1,16 @@
 //! A capture looked at before minutes are spent, and the capture.toml that follows from it.
 
 use super::place::Place;
+use crate::small;
 
 /// A turn of twelve photos of the sample, all of one half of the turn.
 fn turn() -> Place {
     let place = Place::sharing();
-    place.photos("turn", 12);
+    // At their own size: the mat's tags are small.
+    for photo in &small::photos()[..12] {
+        let name = photo.file_name().unwrap().to_str().unwrap();
+        place.write(&format!("turn/{name}"), std::fs::read(photo).unwrap());
+    }
     place
 }
 
@@ -78,9 +83,8 @@ fn what_is_odd_is_reported_by_photo_and_what_can_be_measured() {
 #[test]
 fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
     let place = Place::new();
-    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
     for i in 0..18 {
-        let photo = std::fs::read(sample.join(format!("{:04}.jpg", i * 7 % 18))).unwrap();
+        let photo = small::photo(&format!("{:04}.jpg", i * 7 % 18));
         place.write(&format!("turn/{i:04}.jpg"), photo);
     }
     let reported = place.run("doctor turn --json").code(1).json();
@@ -164,8 +168,7 @@ fn init_writes_what_photos_show_once_and_measure_reads_it() {
 fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
     let place = Place::sharing();
     place.photos("turn", 18);
-    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
-    let plate = std::fs::read(sample.join("plate.jpg")).unwrap();
+    let plate = small::photo("plate.jpg");
     for (at, name) in ["0018.jpg", "0007-again.jpg"].iter().enumerate() {
         place.write(&format!("turn/{name}"), &plate);
         let printed = place.run("doctor turn").code(1).out;

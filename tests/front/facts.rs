@@ -109,7 +109,7 @@ fn a_copy_is_left_out_and_sizes_that_differ_are_refused_with_what_to_do() {
     let selfie = shape::Rgb::filled(30, 40, [9, 99, 200]);
     place.write("turn/selfie.png", shape::rgb_to_png(&selfie));
     let printed = place.run(run).code(1).err;
-    for expected in ["6 are 800×1200", "selfie.png is 30×40", "--images"] {
+    for expected in ["6 are 400×600", "selfie.png is 30×40", "--images"] {
         assert!(printed.contains(expected), "{expected}: {printed}");
     }
 }

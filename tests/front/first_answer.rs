@@ -1,6 +1,7 @@
 //! A first answer comes while the whole is made, its page has a note when the whole does not come, and it is no run.
 
 use super::place::{Place, Printed, signal};
+use crate::small;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -9,10 +10,8 @@ use std::sync::LazyLock;
 fn sample() -> Place {
     let place = Place::new();
     place.photos("turn/images", 18);
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin");
-    let plate = std::fs::read(sample.join("images/plate.jpg")).unwrap();
-    place.write("turn/images/plate.jpg", plate);
-    let facts = std::fs::read_to_string(sample.join("capture.toml")).unwrap();
+    place.write("turn/images/plate.jpg", small::photo("plate.jpg"));
+    let facts = std::fs::read_to_string(small::sample().join("capture.toml")).unwrap();
     let facts = facts.replace("name = \"mannequin\"\n", "");
     place.write("turn/capture.toml", facts);
     place
@@ -65,11 +64,12 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// Half of the photos, looked at small, and coarse surfaces: a whole measuring within seconds.
-const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set aligned.coarse_px=200 --set params.cell_mm=6 --set compensated_coarse.level=3 \
-    --set coarse.level=3 --set coarse.edge_px=8 --set coarse.rounds=1 --set compensated.level=2 \
-    --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 \
-    --set body.rounds=1 --set textured.atlas_px=256 --set textured.rounds=0";
+/// Half of the photos, and coarse surfaces after few rounds: a whole measuring within seconds.
+const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set aligned.coarse_px=200 --set labels.rounds=1 \
+    --set params.cell_mm=6 --set compensated_coarse.level=2 --set compensated_coarse.rounds=2 --set coarse.level=2 --set coarse.edge_px=8 \
+    --set coarse.rounds=1 --set compensated.level=2 --set compensated.rounds=2 --set deformation.level=2 --set deformation.rounds=2 \
+    --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 --set body.rounds=1 \
+    --set textured.atlas_px=256 --set textured.rounds=0";
 
 /// Nearly as coarse, the hull and all that comes of it made anew.
 fn anew() -> String {
@@ -206,8 +206,10 @@ fn a_weight_a_name_and_a_day_that_come_later_make_only_girths_and_what_follows_a
 #[test]
 fn a_first_answer_whose_whole_is_stopped_has_a_note() {
     let place = begun();
-    // The whole must still be under way when its first answer is there: outlines are made anew, too.
-    let long = anew().replace("body.rounds=1", "body.rounds=60") + " --set params.gamma=41";
+    // The whole must still be under way when its first answer is there: its surface is fine, and takes many rounds.
+    let long = anew().replace("body.level=2", "body.level=0");
+    let long = long.replace("body.edge_px=8", "body.edge_px=2");
+    let long = long.replace("body.rounds=1", "body.rounds=100");
     let mut child = place.start(&format!("measure turn --out out {long}"));
     let mut printed = BufReader::new(child.stderr.take().unwrap())
         .lines()

@@ -1,5 +1,6 @@
 //! A folder of a user's, and the program run in it.
 
+use crate::{book, small};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -15,15 +16,8 @@ pub(crate) const SMALL: &str = "about = \"a doll\"\ngoal = [\"sway\", \"body\"]\
 /// A folder with `small.toml`, and a cache in it, or that which tests share.
 pub(crate) struct Place(tempfile::TempDir, Option<&'static Path>);
 
-/// A cache of this process's tests, for those that ask the same of the sample's photos. What another run of tests left
-/// there is removed first.
-static SHARED: LazyLock<PathBuf> = LazyLock::new(|| {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("front-cache");
-    match std::fs::remove_dir_all(&folder) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => panic!("{e}: {folder:?}"),
-        _ => folder,
-    }
-});
+/// A cache of this process's tests, for those that ask the same of photos of the samples: that of the book's commands.
+static SHARED: LazyLock<PathBuf> = LazyLock::new(|| book::FOLDER.join("cache"));
 
 /// What the program printed.
 pub(crate) struct Printed {
@@ -73,13 +67,11 @@ impl Place {
         std::fs::write(path, bytes).unwrap();
     }
 
-    /// A folder with so many photos of the sample.
+    /// A folder with so many photos of the sample, small.
     pub(crate) fn photos(&self, folder: &str, count: usize) {
-        let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
         for i in 0..count {
             let name = format!("{i:04}.jpg");
-            let photo = std::fs::read(sample.join(&name)).unwrap();
-            self.write(&format!("{folder}/{name}"), photo);
+            self.write(&format!("{folder}/{name}"), small::photo(&name));
         }
     }
 

@@ -30,7 +30,7 @@ fn again(more: &str) -> String {
 fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warnings() {
     // A capture that nobody named is called after its folder.
     let (place, printed) = (begun(), printed());
-    let found = "turn: 9 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
+    let found = "turn: 9 photos of 0.2 megapixels, with the empty scene, a mat of 12 tags\n";
     assert!(printed.err.starts_with(found), "{}", printed.err);
     in_order(
         &printed.err,
@@ -81,7 +81,7 @@ fn in_other_ways(place: &Place, printed: &Printed) {
     in_order(
         &german.err,
         &[
-            "turn: 9 Fotos mit je 1,0 Megapixeln",
+            "turn: 9 Fotos mit je 0,2 Megapixeln",
             "Umrisse: schon im Zwischenspeicher\n",
             "Bericht: ",
         ],

@@ -2,12 +2,15 @@
 //! what went wrong, with the names of the files that were sent.
 
 use super::server::{Server, photos};
+use crate::small;
 use serde_json::{Value, json};
 
 /// A capture sent as the documented calls do, its plate named `plate`.
 fn sent(server: &Server, plate: &str) -> String {
     let id = server.capture("Anna");
-    for (at, photo) in photos().iter().enumerate() {
+    let place = tempfile::tempdir().unwrap();
+    let photos = small::turn_in(place.path(), 2);
+    for (at, photo) in photos.iter().enumerate() {
         let bytes = std::fs::read(photo).unwrap();
         let name = photo.file_name().unwrap().to_str().unwrap();
         let name = if name == "plate.jpg" { plate } else { name };
@@ -33,16 +36,16 @@ fn a_photo_called_plate_is_the_empty_scene_unless_another_is_named() {
     );
     let facts_sent = json!({ "mat_tag_mm": 60.0 });
     server.ask("PUT", &facts, &facts_sent).is(204);
-    assert_eq!(seen(&server, &id), (json!(18), json!("0019.jpg")));
+    assert_eq!(seen(&server, &id), (json!(9), json!("0010.jpg")));
     let answer = server.ask("GET", &at, &Value::Null).is(200).json();
-    assert_eq!(answer["plate"], 19, "{answer}");
+    assert_eq!(answer["plate"], 10, "{answer}");
     let page = server.ask("GET", &format!("/captures/{id}"), &Value::Null);
     let page = page.is(200).text();
-    assert!(page.contains("<option value=\"19\" selected>19: Plate.JPG"));
+    assert!(page.contains("<option value=\"10\" selected>10: Plate.JPG"));
     // What is given goes before the name; what is given no longer does not.
     for (plate, expected) in [
-        (json!(5), (json!(18), json!("0005.jpg"))),
-        (Value::Null, (json!(19), Value::Null)),
+        (json!(5), (json!(9), json!("0005.jpg"))),
+        (Value::Null, (json!(10), Value::Null)),
     ] {
         server
             .ask(
@@ -54,7 +57,7 @@ fn a_photo_called_plate_is_the_empty_scene_unless_another_is_named() {
         assert_eq!(seen(&server, &id), expected);
     }
     server.ask("PUT", &facts, &facts_sent).is(204);
-    assert_eq!(seen(&server, &id), (json!(18), json!("0019.jpg")));
+    assert_eq!(seen(&server, &id), (json!(9), json!("0010.jpg")));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::chromium::Tab;
 use super::live::live_girths;
 use super::server::{Server, photos};
 use super::whole::{complaints, tab, whole};
+use crate::small;
 use serde_json::{Value, json};
 
 #[test]
@@ -24,7 +25,8 @@ fn photos_are_dropped_looked_at_begun_to_measure_stopped_and_deleted() {
     );
     whole(&mut tab, "start");
     tab.value("document.querySelector('[name=name]').value = 'Anna <b>'");
-    tab.choose("input[name=files]", &photos());
+    let place = tempfile::tempdir().unwrap();
+    tab.choose("input[name=files]", &small::turn_in(place.path(), 2));
     tab.until("location.pathname.startsWith('/captures/') && document.readyState === 'complete'");
     tab.until("document.querySelector('.can')");
     whole(&mut tab, "seen");
@@ -32,13 +34,13 @@ fn photos_are_dropped_looked_at_begun_to_measure_stopped_and_deleted() {
     assert_eq!(heading, "Anna <b>");
     assert_eq!(
         tab.value("document.querySelectorAll('.photos img').length"),
-        19
+        10
     );
     tab.until("[...document.querySelectorAll('.photos img')].slice(0, 4).every((i) => i.complete && i.naturalWidth > 0)");
     // The plate was known by its name, and what is typed is read as it is written here.
     assert_eq!(
         tab.value("document.querySelector('[name=plate]').value"),
-        "19"
+        "10"
     );
     tab.value("document.querySelector('[name=weight_kg]').value = 'viel'");
     tab.value("document.querySelector('[name=mat_tag_mm]').value = '60,0'");

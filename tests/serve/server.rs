@@ -1,5 +1,6 @@
 //! The program, serving, and calls to it over plain sockets: no client of somebody's mends what is wrong.
 
+pub(crate) use crate::small::photos;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -269,17 +270,6 @@ impl Drop for Server {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
-}
-
-/// The sample's photos in turning order, the plate last.
-pub(crate) fn photos() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
-    let mut all: Vec<PathBuf> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|e| e.unwrap().path())
-        .collect();
-    all.sort();
-    all
 }
 
 fn dechunked(mut body: &[u8]) -> Vec<u8> {
