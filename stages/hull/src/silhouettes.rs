@@ -66,6 +66,11 @@ pub fn bounds(
                 -reach + f64::from(j) * step,
                 ground + f64::from(k) * step,
             );
+            // What is within the box already moves none of its sides.
+            let known = |a: usize| lo[a] <= x[a] - 2.0 * step && x[a] + 2.0 * step <= hi[a];
+            if (0..3).all(known) {
+                continue;
+            }
             let out = libm::hypot(x.x, x.y) > reach || far_outside(views, &x, dissent, step as f32);
             if out || f64::from(consensus(views, &x, dissent)) < -step {
                 continue;
