@@ -167,9 +167,9 @@ fn init_writes_what_photos_show_once_and_measure_reads_it() {
 #[test]
 fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
     let place = Place::sharing();
-    place.photos("turn", 18);
+    place.photos("turn", 9);
     let plate = small::photo("plate.jpg");
-    for (at, name) in ["0018.jpg", "0007-again.jpg"].iter().enumerate() {
+    for (at, name) in ["0009.jpg", "0007-again.jpg"].iter().enumerate() {
         place.write(&format!("turn/{name}"), &plate);
         let printed = place.run("doctor turn").code(1).out;
         let line = printed
@@ -193,7 +193,7 @@ fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
                 .json();
             assert_eq!(
                 (&seen["photos"], &seen["plate"]),
-                (&18.into(), &(*name).into())
+                (&9.into(), &(*name).into())
             );
         }
         std::fs::remove_file(place.path("turn").join(name)).unwrap();

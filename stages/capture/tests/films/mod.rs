@@ -22,18 +22,21 @@ pub(crate) const HEIGHT: usize = 384;
 /// A patterned column on a disk that has turned by so many turns, before a still wall; 8-bit RGB.
 pub(crate) fn frame(turns: f64) -> Vec<u8> {
     let mut pixels = Vec::with_capacity(WIDTH * HEIGHT * 3);
+    // What is the same all the way down the column.
+    let waves = (0..WIDTH).map(|x| {
+        let across = (x as f64 - 108.0) / 50.0;
+        let a = libm::asin(across) + TAU * turns;
+        let wave = 0.6 * libm::cos(2.0 * a) + libm::sin(a);
+        (across.abs() < 1.0).then_some((a, wave))
+    });
+    let waves: Vec<Option<(f64, f64)>> = waves.collect();
     for y in 0..HEIGHT {
-        for x in 0..WIDTH {
-            let across = (x as f64 - 108.0) / 50.0;
-            let level = match across.abs() < 1.0 && y > 40 {
-                true => {
-                    let a = libm::asin(across) + TAU * turns;
-                    let wave = 0.6 * libm::cos(2.0 * a)
-                        + libm::sin(a)
-                        + 0.5 * libm::sin(7.0 * a + y as f64 * 0.08);
-                    125.0 + 45.0 * wave
+        for (x, wave) in waves.iter().enumerate() {
+            let level = match wave.filter(|_| y > 40) {
+                Some((a, wave)) => {
+                    125.0 + 45.0 * (wave + 0.5 * libm::sin(7.0 * a + y as f64 * 0.08))
                 }
-                false => 70.0 + ((x / 6 + y / 9) % 7) as f64 * 15.0,
+                None => 70.0 + ((x / 6 + y / 9) % 7) as f64 * 15.0,
             };
             let level = level.clamp(0.0, 255.0);
             pixels.extend([level as u8, (0.9 * level) as u8, (0.8 * level) as u8]);
