@@ -26,7 +26,7 @@ pub struct FindPeople;
 
 impl Stage for FindPeople {
     const NAME: &'static str = "silhouette.person";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Finds the person on each photo by two learned networks: a coarse mask and joints, and whether the photos agree that it is a person.";
     type Params = FindPeopleParams;
     type Input = FindPeopleInput;
@@ -69,14 +69,10 @@ fn looked_for(
     all: &[(PhotoId, &Photo)],
     ctx: &Ctx<'_>,
 ) -> Result<Vec<(usize, Vec<Found>)>, Stop> {
-    let NotFound {
-        photos,
-        square,
-        presence,
-    } = missing;
-    let place = stage::hash(format!("{square:?} {presence:?}").as_bytes());
-    let one = |k: &usize| -> Result<Option<(usize, Vec<Found>)>, Stop> {
+    let NotFound { photos, square } = missing;
+    let one = |(k, presence): &(usize, f32)| -> Result<Option<(usize, Vec<Found>)>, Stop> {
         let photo = all[*k].1;
+        let place = stage::hash(format!("{square:?} {presence:?}").as_bytes());
         let only: People = ctx.part("photo again", &[photo.content(), place], || {
             let found = networks.people_with(&photo.decode()?, square, *presence);
             Ok(of_one_photo(found.unwrap_or_default()))

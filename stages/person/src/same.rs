@@ -3,7 +3,7 @@
 use shape::{Crop, Found};
 
 /// From here on the network finds a person in its square: as likely as not (derived: a chance of a half).
-const PRESENT: f32 = 0.5;
+pub(crate) const PRESENT: f32 = 0.5;
 /// Squares of one person share at least so much of their union: one may be a third of its side beside the other
 /// (derived: (1 − 1/3) / (1 + 1/3)).
 const ONE_PERSON: f32 = 0.5;
@@ -11,6 +11,12 @@ const ONE_PERSON: f32 = 0.5;
 /// Whether two squares are one person's.
 pub(crate) fn alike(a: &Crop, b: &Crop) -> bool {
     overlap(a, b) >= ONE_PERSON
+}
+
+/// Whether a square is inside of another, however they are turned.
+pub(crate) fn within(inner: &Crop, outer: &Crop) -> bool {
+    let off = |k: usize| (inner.centre_px[k] - outer.centre_px[k]).abs();
+    (0..2).all(|k| off(k) + inner.side_px / 2.0 <= outer.side_px / 2.0)
 }
 
 /// Whether the network that looked from near finds a person.

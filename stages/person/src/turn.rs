@@ -1,6 +1,6 @@
 //! What the photos of a turn show together: who is followed, and whether it is a person.
 
-use crate::same::{alike, middle, overlap, present};
+use crate::same::{PRESENT, alike, middle, overlap, present, within};
 use shape::{ByPhoto, Crop, Found, PhotoId};
 
 /// So many of the photos must show the same person. By hand: looked at the live man and woman, three made bodies, the
@@ -54,12 +54,11 @@ pub(crate) fn followed(views: ByPhoto<Vec<Found>>) -> Followed {
 
 /// The one who turns, for photos on which that one is not found.
 pub(crate) struct NotFound {
-    /// The places of these photos among all.
-    pub(crate) photos: Vec<usize>,
+    /// The places of these photos among all, and how surely at least the network must see that one there: as somebody rather than
+    /// nothing; where it saw somebody within that square already, as likely as not.
+    pub(crate) photos: Vec<(usize, f32)>,
     /// Where that one is on all the rest.
     pub(crate) square: Crop,
-    /// How surely at least the network sees that one there: as somebody rather than nothing.
-    pub(crate) presence: f32,
 }
 
 /// Nothing where no one is on most photos.
@@ -68,10 +67,16 @@ pub(crate) fn not_found(views: &[(PhotoId, Vec<Found>)]) -> Option<NotFound> {
     let most = turning_most(&tracks, views)?;
     let found = |photo: &usize| most.seen.iter().any(|(seen, _)| seen == photo);
     let presence = |(photo, k): &(usize, usize)| views[*photo].1[*k].presence;
+    let least = most.seen.iter().map(presence).fold(1.0, f32::min);
+    let part = |f: &Found| present(f) && within(&f.crop, &most.middle);
+    let bound = |photo: usize| match views[photo].1.iter().any(part) {
+        true => (photo, PRESENT),
+        false => (photo, least),
+    };
+    let missing = (0..views.len()).filter(|photo| !found(photo));
     Some(NotFound {
-        photos: (0..views.len()).filter(|photo| !found(photo)).collect(),
+        photos: missing.map(bound).collect(),
         square: most.middle,
-        presence: most.seen.iter().map(presence).fold(1.0, f32::min),
     })
 }
 
@@ -219,13 +224,14 @@ mod tests {
         let views = turn(|i| match i {
             7 => vec![found(900.0, 500.0, 0.6, 0.95)],
             9 => vec![],
+            11 => vec![found(430.0, 400.0, 0.6, 0.8)],
             _ => vec![found(400.0 + i as f32, 800.0, 0.9, 0.99)],
         });
         let views: Vec<_> = views.iter().map(|(id, f)| (id, f.clone())).collect();
         let missing = not_found(&views).unwrap();
-        assert_eq!(missing.photos, [7, 9]);
+        // On the third the network took the upper half of that one for all.
+        assert_eq!(missing.photos, [(7, 0.99), (9, 0.99), (11, PRESENT)]);
         assert!((400.0..412.0).contains(&missing.square.centre_px[0]));
-        assert_eq!(missing.presence, 0.99);
         assert!(not_found(&views[7..10]).is_none(), "one of three is nobody");
     }
 
