@@ -78,6 +78,9 @@ pub struct Together {
     /// How each photo differs from the one far away in order that it is most like, against the same of those near it:
     /// below 1 it is more like the former.
     pub astray: Vec<f64>,
+    /// Place of a photo's neighbours in order among all photos by how alike they are, in the mean: 0 where none is more
+    /// alike, 1 where all are; a half by chance.
+    pub neighbours: f64,
     /// Sides of the picture that what moves reaches: top, bottom, left, right.
     pub reached: [bool; 4],
 }
@@ -128,29 +131,46 @@ pub fn together(all: &[Glance]) -> Together {
         false => vec![],
     };
     let n = all.len();
-    let steps = (0..n)
-        .map(|i| apart(&even[i], &even[(i + 1) % n]))
+    let apart: Vec<Vec<f64>> = even
+        .iter()
+        .map(|a| even.iter().map(|b| apart(a, b)).collect())
         .collect();
-    let astray = |i: usize| {
-        let far = |j: &usize| i.abs_diff(*j).min(n - i.abs_diff(*j)) > 2;
-        let least = |of_far: bool| {
-            let rest = (0..n).filter(|j| *j != i && far(j) == of_far);
-            rest.map(|j| apart(&even[i], &even[j])).reduce(f64::min)
-        };
-        match (least(true), least(false)) {
-            (Some(far), Some(near)) if near > 0.0 => far / near,
-            _ => f64::MAX,
-        }
-    };
+    let steps = (0..n).map(|i| apart[i][(i + 1) % n]).collect();
     Together {
         still: still.iter().filter(|s| **s).count() as f64 / pixels.max(1) as f64,
         exposure_ev,
         steps,
-        astray: (0..n).map(astray).collect(),
+        astray: (0..n).map(|i| astray(&apart, i)).collect(),
+        neighbours: neighbours(&apart),
         reached: reached(&still, all[0].small.width),
         still_pixels: still,
         gains,
     }
+}
+
+/// How a photo differs from the one far away in order that it is most like, against the same of those near it.
+fn astray(apart: &[Vec<f64>], i: usize) -> f64 {
+    let n = apart.len();
+    let far = |j: &usize| i.abs_diff(*j).min(n - i.abs_diff(*j)) > 2;
+    let least = |of_far: bool| {
+        let rest = (0..n).filter(|j| *j != i && far(j) == of_far);
+        rest.map(|j| apart[i][j]).reduce(f64::min)
+    };
+    match (least(true), least(false)) {
+        (Some(far), Some(near)) if near > 0.0 => far / near,
+        _ => f64::MAX,
+    }
+}
+
+/// Place of neighbours among all photos by how alike they are; the last photo and the first are none, for a turn may be open.
+fn neighbours(apart: &[Vec<f64>]) -> f64 {
+    let n = apart.len();
+    let place = |i: usize, next: usize| {
+        let nearer = |j: &usize| *j != i && apart[i][*j] < apart[i][next];
+        (0..n).filter(nearer).count() as f64 / (n.max(3) - 2) as f64
+    };
+    let sum: f64 = (1..n).map(|i| place(i, i - 1) + place(i - 1, i)).sum();
+    sum / (2.0 * (n.max(2) - 1) as f64)
 }
 
 /// Which sides of the picture are reached by what moves: by its largest part, for noise and a pattern that a stabiliser shifts move
@@ -217,6 +237,11 @@ mod tests {
         assert!((0.5..0.75).contains(&found.still), "{}", found.still);
         assert_eq!(found.reached, [false, true, false, false]);
         assert!(found.astray.iter().all(|a| *a > 1.0), "{:?}", found.astray);
+        assert!(found.neighbours < 0.15, "{}", found.neighbours);
+        let all = turn(0);
+        let shuffled: Vec<Glance> = (0..18).map(|i| all[i * 7 % 18].clone()).collect();
+        let shuffled = together(&shuffled).neighbours;
+        assert!(shuffled > 0.4, "{shuffled}");
         assert!(found.exposure_ev.iter().all(|ev| ev.abs() < 0.02));
         let walk = together(&turn(3));
         assert!(walk.still < 0.1, "{}", walk.still);

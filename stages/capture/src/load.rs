@@ -87,7 +87,7 @@ pub struct Load;
 
 impl Stage for Load {
     const NAME: &'static str = "capture.load";
-    const VERSION: u32 = 14;
+    const VERSION: u32 = 15;
     const ABOUT: &'static str =
         "Reads the photos of one turn, their EXIF, capture.toml and the plate.";
     type Params = LoadParams;

@@ -38,7 +38,7 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 12;
+    const VERSION: u32 = 13;
     const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, noise, tags, frame, feet, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;

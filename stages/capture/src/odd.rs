@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 stage::messages! {
     MOVED_CAMERA = "find-moved": "only {still:.0 %} of the picture stay still: the camera, or all behind the subject, moved between the photos";
     MOVED_MEND = "find-moved-mend": "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who does not move? Then give --walk";
-    OUT_OF_ORDER = "find-shuffled": "photos are more like photos far away in order than like their neighbours: they are not in turning order";
+    OUT_OF_ORDER = "find-shuffled": "photos side by side in order are no more alike than any two by chance: they are not in turning order";
     SHUFFLED_MEND = "find-shuffled-mend": "name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order";
     STRANGER = "find-stranger": "far more like one far away in order than like its neighbours";
     STRANGER_MEND = "find-stranger-mend": "look whether these photos are in their place";
@@ -48,11 +48,11 @@ stage::messages! {
 
 /// Less than this of the picture does not move: nothing will come of it without a mat. By hand: not on record.
 const LEAST_STILL_SHARE: f64 = 0.03;
-/// Photos are not in turning order where the middle one of all is so much more like one far away in order than like its
-/// neighbours. By hand: looked at seven captures, 0.70 shuffled, 1.05 to 1.8 in order.
-const SHUFFLED_BELOW: f64 = 0.88;
-/// A photo is not where it belongs if the same is true of it: a body that is alike from two sides, or a mat, is not. By
-/// hand: not on record.
+/// The places of neighbours are a chance's unless they are nearer by so many standard deviations (derived: of a thousand
+/// shuffled turns one is taken for an order).
+const ORDER_SIGMAS: f64 = 3.0;
+/// A photo is not where it belongs if it is so much more like one far away in order than like its neighbours: a body that
+/// is alike from two sides, or a mat, is not. By hand: not on record.
 const STRANGE_BELOW: f64 = 0.65;
 /// Exposures are uneven that differ by more than this. By hand: not on record. \[EV\]
 const UNEVEN_EV: f64 = 0.25;
@@ -107,7 +107,7 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         );
         return;
     }
-    if upper_median(&together.astray).is_some_and(|likeness| likeness < SHUFFLED_BELOW) {
+    if shuffled(together.neighbours, count) {
         let grade = if tagged {
             Grade::Doubt
         } else {
@@ -151,6 +151,13 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     if !wide.is_empty() {
         findings.put(Grade::Doubt, message!(GAP), message!(GAP_MEND), &wide);
     }
+}
+
+/// Whether neighbours in order are no more alike than photos by chance: each of 2 (n - 1) places is then even between 0 and 1, with a
+/// variance of a twelfth. Of fewer photos than a turn has, neighbours are hardly more alike than the rest.
+fn shuffled(neighbours: f64, photos: usize) -> bool {
+    let sigma = (1.0 / (24.0 * (photos as f64 - 1.0))).sqrt();
+    photos >= FEWEST_PHOTOS && neighbours > 0.5 - ORDER_SIGMAS * sigma
 }
 
 /// Light and sharpness, photo by photo.

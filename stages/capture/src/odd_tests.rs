@@ -19,7 +19,8 @@ fn a_shuffled_turn_is_no_camera_in_the_hand() {
             gains: vec![],
             exposure_ev: vec![],
             steps: vec![1.0; 12],
-            astray: vec![0.7; 12],
+            astray: vec![1.0; 12],
+            neighbours: 0.4,
             reached,
         };
         let seen = Seen {
@@ -42,4 +43,13 @@ fn a_shuffled_turn_is_no_camera_in_the_hand() {
         in_the_hand.contains("20 % of the picture stay still: the camera"),
         "{in_the_hand}"
     );
+}
+
+#[test]
+fn an_order_is_one_that_chance_gives_to_one_of_a_thousand_turns() {
+    assert!(shuffled(0.5, 18) && shuffled(0.36, 18));
+    // Bodies in order: 0.04 to 0.23.
+    assert!(!shuffled(0.3, 18) && !shuffled(0.23, 12));
+    // Of six photos neighbours are 60° apart.
+    assert!(!shuffled(0.5, 6));
 }
