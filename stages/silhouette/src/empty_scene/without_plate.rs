@@ -31,8 +31,9 @@ const MUST_AGREE: f32 = 1.0;
 /// (docs/lab/masks.md), no glimpses: mean IoU −0.0003 on eight scenes, their least photos −0.0014.
 const MIN_AGREEMENT: f32 = 0.3;
 
-/// Masks of reduced photos without a plate, true is body; `None` where a photo shows nothing that moves. `still` is what does not change around the turn, `within` a rectangle that holds the body, and how many of
-/// its pixels became one; `people` the log-odds of the body by a person's sense, photo by photo, or nothing. \[nats\]
+/// Masks of reduced photos without a plate, true is body; `None` where a photo shows nothing that moves. `still` is what does
+/// not change around the turn, `within` a rectangle that holds the body, and how many of its pixels became one; `people` the
+/// log-odds of the body by a person's sense, photo by photo, or nothing. \[nats\]
 pub fn without_plate(
     shots: &[Shot],
     still: &[bool],
