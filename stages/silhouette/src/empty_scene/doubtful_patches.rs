@@ -33,7 +33,7 @@ pub(crate) fn doubtful(shots: &[Shot], cuts: &[Option<Image<bool>>], radius: f64
 }
 
 /// Where photos show the background without the body, and which colours the body shows before it.
-pub(crate) struct Vouched {
+struct Vouched {
     /// Pixels that some photo shows without the body.
     bare: Image<bool>,
     body: Gmm,
@@ -41,7 +41,7 @@ pub(crate) struct Vouched {
 
 impl Vouched {
     /// `None` without any cut, or if nothing is vouched for.
-    pub(crate) fn of(shots: &[Shot], cuts: &[Option<Image<bool>>]) -> Option<Self> {
+    fn of(shots: &[Shot], cuts: &[Option<Image<bool>>]) -> Option<Self> {
         let mut bare = cuts.iter().flatten().next()?.map(|_| false);
         for cut in cuts.iter().flatten() {
             let free = thinned(&cut.map(|b| !b), SHY);
@@ -59,12 +59,12 @@ impl Vouched {
     }
 
     /// Whether nothing but its colour can tell if a pixel of a cut is body.
-    pub(crate) fn alone(&self, shot: &Shot, cut: &Image<bool>, i: usize, radius: f64) -> bool {
+    fn alone(&self, shot: &Shot, cut: &Image<bool>, i: usize, radius: f64) -> bool {
         cut.data[i] && !self.bare.data[i] && !shot.shows_disk(i, radius)
     }
 
     /// Whether the body has no such colour.
-    pub(crate) fn strange(&self, color: [u8; 3]) -> bool {
+    fn strange(&self, color: [u8; 3]) -> bool {
         body_cost(&self.body, color) >= STRANGE
     }
 }
