@@ -55,16 +55,6 @@ impl Prepared {
         cost.min(self.unforeseen.unwrap_or(f32::MAX))
     }
 
-    /// Takes what pixels cost where they gain the light of what the disk mirrors, if that is less.
-    pub(crate) fn or_mirrored(&mut self, other: &Prepared, gained: Vec<f32>) {
-        for (i, gained) in gained.chunks(3).enumerate() {
-            if gained != [0.0; 3] && other.cost[i] < self.cost[i] {
-                self.cost[i] = other.cost[i];
-            }
-        }
-        self.mirrored = gained;
-    }
-
     /// As it is stored.
     pub(crate) fn evidence(self) -> PhotoEvidence {
         PhotoEvidence {

@@ -7,11 +7,11 @@ use crate::likelihood::behind::Behind;
 use crate::likelihood::grain::missed_in_photo;
 use crate::likelihood::mirror::{Weighed, gained, mirroring};
 use crate::likelihood::person::sense;
-use crate::likelihood::prepared::{UNSEEN, prepare};
+use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
 use crate::params::{CutError, DISK_SIDE_MM};
 use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
-use shape::{Aligned, ByPhoto, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Scene};
+use shape::{Aligned, ByPhoto, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Rgb, Scene};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -68,10 +68,14 @@ impl Stage for Likelihood {
             }
         };
         let steps = ctx.steps("photos", all.len());
+        let turn = Turn {
+            aligned,
+            behind,
+            disk_side_mm: p.disk_side_mm,
+        };
         let before = |(id, photo): &(PhotoId, &Photo)| {
             ctx.check()?;
-            let weighed = weighed(*id, photo, aligned, &behind, p.disk_side_mm, vec![])?;
-            Ok((*id, weighed))
+            Ok((*id, turn.weighed(*id, photo)?))
         };
         let known: &[_] = if scene.is_unknown() { &[] } else { &all };
         let first = known
@@ -85,9 +89,8 @@ impl Stage for Likelihood {
             let evidence = match (first.get(*id), gained.get(*id)) {
                 (None, _) => of_nothing(photo, aligned)?,
                 (Some((evidence, _)), None) => evidence.clone(),
-                (_, Some(gained)) => {
-                    let gained = gained.clone();
-                    weighed(*id, photo, aligned, &behind, p.disk_side_mm, gained)?.0
+                (Some((evidence, _)), Some(gained)) => {
+                    turn.with_mirrored(evidence, gained, *id, photo)?
                 }
             };
             let size = [evidence.photo.width, evidence.photo.height];
@@ -106,36 +109,53 @@ impl Stage for Likelihood {
     }
 }
 
-/// A photo before the scene that is behind it, with what that would show; `gained` is the light of what the disk mirrors.
-fn weighed(
-    id: PhotoId,
-    photo: &Photo,
-    aligned: &Aligned,
-    behind: &Behind<'_>,
+/// What photos of a turn are weighed by.
+struct Turn<'a> {
+    aligned: &'a Aligned,
+    behind: Behind<'a>,
     disk_side_mm: f64,
-    gained: Vec<f32>,
-) -> Result<Weighed, Stop> {
-    let pixels = aligned.of(id).brought(photo.decode()?);
-    let without = behind.of_photo(id, &pixels);
-    let floor = behind.floor(id);
-    let most = aligned.coarse_px as usize;
-    let before = |without: &Backdrop| {
-        let mut ready = prepare(&pixels, without, floor, most, disk_side_mm);
+}
+
+impl Turn<'_> {
+    /// A photo before the scene that is behind it, with what that would show.
+    fn weighed(&self, id: PhotoId, photo: &Photo) -> Result<Weighed, Stop> {
+        let pixels = self.aligned.of(id).brought(photo.decode()?);
+        let without = self.behind.of_photo(id, &pixels);
+        let mut ready = self.ready(id, &pixels, &without);
+        let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
+        close(known, width, factor, photo, self.aligned)?;
+        Ok((ready.evidence(), without.image.reduced(factor)))
+    }
+
+    /// The same, where pixels that gain the light of what the disk mirrors cost as much as with it, if that is less.
+    fn with_mirrored(
+        &self,
+        evidence: &PhotoEvidence,
+        gained: &[f32],
+        id: PhotoId,
+        photo: &Photo,
+    ) -> Result<PhotoEvidence, Stop> {
+        let pixels = self.aligned.of(id).brought(photo.decode()?);
+        let without = self.behind.of_photo(id, &pixels);
+        let image = mirroring(&without.image, gained, evidence.factor as usize);
+        let mirroring = self.ready(id, &pixels, &Backdrop { image, ..without });
+        let mut evidence = evidence.clone();
+        let costs = evidence.background.iter_mut().zip(&mirroring.cost);
+        for ((cost, with), gained) in costs.zip(gained.chunks(3)) {
+            if gained != [0.0; 3] {
+                *cost = cost.min(*with);
+            }
+        }
+        evidence.mirrored = gained.to_vec();
+        Ok(evidence)
+    }
+
+    fn ready(&self, id: PhotoId, pixels: &Rgb, without: &Backdrop) -> Prepared {
+        let (floor, most) = (self.behind.floor(id), self.aligned.coarse_px as usize);
+        let mut ready = prepare(pixels, without, floor, most, self.disk_side_mm);
         missed_in_photo(&mut ready, &without.image);
         ready
-    };
-    let mut ready = before(&without);
-    if !gained.is_empty() {
-        let image = mirroring(&without.image, &gained, ready.factor);
-        let mirroring = before(&Backdrop {
-            image,
-            ..without.clone()
-        });
-        ready.or_mirrored(&mirroring, gained);
     }
-    let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
-    close(known, width, factor, photo, aligned)?;
-    Ok((ready.evidence(), without.image.reduced(factor)))
 }
 
 /// A photo of whose scene nothing is known, as it was taken: only the rectangle speaks.
