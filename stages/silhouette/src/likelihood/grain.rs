@@ -18,7 +18,6 @@ use crate::scene::still_and_disk::{Scene, Shot};
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::Image;
-use window::Laid;
 
 mod in_photo;
 mod window;
@@ -68,7 +67,7 @@ fn left_over(shot: &Shot, around: &Scene) -> Image<f32> {
     let behind = around.behind(&shot.small, &shot.camera);
     let (top, width) = (shot.top(around.radius), shot.small.width);
     let on = |i: usize| behind.seen.data[i] && top.at(i % width, i / width).is_some();
-    Laid::new(&shot.small, &behind.image, on).left_over(1)
+    window::left_over(&shot.small, &behind.image, 1, on)
 }
 
 /// What is usually left at each place of the disk's map: the median of the photos that can show it there,

@@ -11,7 +11,9 @@ use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
 use crate::params::{CutError, DISK_SIDE_MM};
 use crate::scene::backdrop::Backdrop;
 use rayon::prelude::*;
-use shape::{Aligned, ByPhoto, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Rgb, Scene};
+use shape::{
+    Aligned, ByPhoto, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Rgb, Scene,
+};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 //! How much of a bare ground is usually left is learned from the photo itself, for no map fits a photo quite exactly, nor is
 //! it as sharp.
 
-use super::window::Laid;
+use super::window::left_over;
 use super::{LEAST_LEFT_OVER, has, unlikely};
 use crate::likelihood::background::{CAP, FLAT};
 use crate::likelihood::body::evident;
@@ -80,14 +80,13 @@ fn places(
 ) -> Vec<Option<Place>> {
     let width = ready.small.width;
     let shows = |i: usize| on(i % width, i / width) && ready.cost[i] != UNSEEN;
-    let laid = Laid::new(&ready.small, map, shows);
+    let all = left_over(&ready.small, map, apart, shows).data.into_iter();
     let place = |(i, left): (usize, f32)| {
         (left < f32::MAX).then(|| Place {
             left,
             bare: ready.cost[i] < FLAT + SURE,
         })
     };
-    let all = laid.left_over(apart).data.into_iter();
     all.enumerate().map(place).collect()
 }
 
