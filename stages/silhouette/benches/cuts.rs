@@ -21,7 +21,7 @@ fn disc(n: usize) -> Grid {
         let off = |v: usize| v as f64 - n as f64 / 2.0;
         let inside = libm::hypot(off(x), off(y)) < 0.3 * n as f64;
         let level = if inside { 160 } else { 90 } + (thrown(i) - 128) / 2;
-        grid.set_terminal(x, y, level.max(0), (250 - level).max(0));
+        grid.add_terminal(x, y, level.max(0), (250 - level).max(0));
         for d in 4..8 {
             let (nx, ny) = (x as i32 + STEPS[d].0, y as i32 + STEPS[d].1);
             if nx >= 0 && nx < n as i32 && ny < n as i32 {

@@ -37,6 +37,12 @@ impl Window {
         }
     }
 
+    /// Its pixels by their places in an image, row by row.
+    pub(crate) fn pixels(&self, image: &Rgb) -> impl Iterator<Item = usize> {
+        let wide = image.width;
+        self.places().map(move |(x, y)| y * wide + x)
+    }
+
     /// Its pixels (x, y) in the image, row by row.
     pub(crate) fn places(&self) -> impl Iterator<Item = (usize, usize)> {
         let (x, width) = (self.x, self.width);
@@ -45,92 +51,107 @@ impl Window {
     }
 }
 
-/// What a cut goes by. Pixels are named by their place in the photo (`i`) or in the window (`here`).
-pub(crate) struct Terms<'a> {
-    /// What is known of pixel `i`.
-    pub(crate) known: &'a dyn Fn(usize) -> Known,
-    /// What pixel `i`, `here` costs as background and as body, where it is unknown. \[1/UNIT\]
-    pub(crate) colours: &'a dyn Fn(usize, usize) -> (i32, i32),
-    /// Whether the edge between two neighbours of the window is the background's own.
-    pub(crate) own: &'a dyn Fn(usize, usize) -> bool,
+/// A window ready to be cut as often as what its pixels cost changes. Row by row as all of a window is.
+pub(crate) struct LeastCut {
+    width: usize,
+    known: Vec<Known>,
+    /// The rectangle (left, top, right, bottom) of all that is unknown.
+    open: [usize; 4],
+    grid: Grid,
+    /// What the sides of each pixel cost in the grid by itself.
+    given: Vec<(i32, i32)>,
 }
 
-/// Cuts a window: true is body; row-major over the window. `gamma` weighs the border's length.
-///
-/// What is certain is no part of the graph: an arc towards it is an arc towards its side.
-pub(crate) fn least_cut(photo: &Rgb, window: &Window, gamma: f64, terms: &Terms<'_>) -> Vec<bool> {
-    let (w, h) = (window.width, window.height);
-    let at = |x: usize, y: usize| (window.y + y) * photo.width + window.x + x;
-    let known: Vec<Known> = (0..w * h)
-        .map(|here| (terms.known)(at(here % w, here / w)))
-        .collect();
-    let mut sides: Vec<bool> = known.iter().map(|k| *k == Known::Body).collect();
-    let Some([left, top, right, bottom]) = open(&known, w) else {
-        return sides;
-    };
-    let mut prices = Prices::new(gamma, beta(photo, window));
-    let mut grid = Grid::new(right - left, bottom - top);
-    // What the two sides of a pixel cost: as itself, then beside what is certain.
-    let mut costs = vec![(0, 0); w * h];
-    for y in top.max(1) - 1..h.min(bottom + 1) {
-        for x in left.max(1) - 1..w.min(right + 1) {
-            let here = y * w + x;
-            if known[here] == Known::Unknown {
-                let (background, body) = (terms.colours)(at(x, y), here);
-                costs[here].0 += background;
-                costs[here].1 += body;
-            }
+impl LeastCut {
+    /// By what is `known` of each pixel, and which edges are the background's `own`; `gamma` weighs the border's length.
+    ///
+    /// What is certain is no part of the graph: an arc towards it is an arc towards its side.
+    pub(crate) fn new(
+        photo: &Rgb,
+        window: &Window,
+        gamma: f64,
+        known: Vec<Known>,
+        own: &[bool],
+    ) -> Self {
+        let (w, h) = (window.width, window.height);
+        let open @ [left, top, right, bottom] = open(&known, w);
+        let mut grid = Grid::new(right - left, bottom - top);
+        let mut prices = Prices::new(gamma, beta(photo, window));
+        let row = |y: usize| &photo.row(window.y + y)[window.x..][..w];
+        for y in top.max(1) - 1..h.min(bottom + 1) {
             for (d, (dx, dy)) in STEPS.iter().enumerate().skip(4) {
-                let (nx, ny) = (x as i32 + dx, y as i32 + dy);
-                if nx < 0 || nx >= w as i32 || ny >= h as i32 {
-                    continue;
-                }
-                let (nx, ny) = (nx as usize, ny as usize);
-                let there = ny * w + nx;
-                if known[here] != Known::Unknown && known[there] != Known::Unknown {
-                    continue;
-                }
-                let apart = match (terms.own)(here, there) {
-                    true => 0,
-                    false => apart(photo.data[at(x, y)], photo.data[at(nx, ny)]),
-                };
-                let price = prices.of(apart, dx * dy != 0);
-                let beside = |to: &mut (i32, i32), other: Known| match other {
-                    Known::Body => to.0 += price,
-                    _ => to.1 += price,
-                };
-                match (known[here], known[there]) {
-                    (Known::Unknown, Known::Unknown) => {
-                        grid.set_arc(x - left, y - top, d, price);
+                let beyond = |x: usize| (x as i32 + dx) as usize;
+                let ny = y + *dy as usize;
+                let columns = left.max(1) - 1..w.min(right + 1);
+                for x in columns.filter(|x| ny < h && beyond(*x) < w) {
+                    let (here, there) = (y * w + x, ny * w + beyond(x));
+                    let sides = (known[here], known[there]);
+                    if sides.0 != Known::Unknown && sides.1 != Known::Unknown {
+                        continue;
                     }
-                    (Known::Unknown, other) => beside(&mut costs[here], other),
-                    (other, _) => beside(&mut costs[there], other),
+                    let apart = match own[here] || own[there] {
+                        true => 0,
+                        false => apart(row(y)[x], row(ny)[beyond(x)]),
+                    };
+                    let price = prices.of(apart, dx * dy != 0);
+                    let mut beside = |x: usize, y: usize, other: Known| match other {
+                        Known::Body => grid.add_terminal(x - left, y - top, price, 0),
+                        _ => grid.add_terminal(x - left, y - top, 0, price),
+                    };
+                    match sides {
+                        (Known::Unknown, Known::Unknown) => {
+                            grid.set_arc(x - left, y - top, d, price);
+                        }
+                        (Known::Unknown, other) => beside(x, y, other),
+                        (other, _) => beside(beyond(x), ny, other),
+                    }
                 }
             }
         }
+        LeastCut {
+            width: w,
+            given: vec![(0, 0); known.len()],
+            known,
+            open,
+            grid,
+        }
     }
-    let places = || (top..bottom).flat_map(|y| (left..right).map(move |x| (x, y)));
-    for (x, y) in places() {
-        let (background, body) = costs[y * w + x];
-        grid.set_terminal(x - left, y - top, background, body);
+
+    /// The window cut by what each pixel costs as background and as body, where it is unknown: true is body. \[1/UNIT\]
+    pub(crate) fn sides(&mut self, costs: Vec<(i32, i32)>) -> Vec<bool> {
+        let ([left, top, right, bottom], w) = (self.open, self.width);
+        let places = || (top..bottom).flat_map(|y| (left..right).map(move |x| (x, y)));
+        let open = |known: &[Known], (x, y): &(usize, usize)| known[y * w + x] == Known::Unknown;
+        for (x, y) in places().filter(|at| open(&self.known, at)) {
+            let (new, old) = (costs[y * w + x], self.given[y * w + x]);
+            let more = [new.0 - old.0, new.1 - old.1];
+            self.grid.add_terminal(x - left, y - top, more[0], more[1]);
+        }
+        self.given = costs;
+        self.grid.cut();
+        let mut sides: Vec<bool> = self.known.iter().map(|k| *k == Known::Body).collect();
+        for (x, y) in places().filter(|at| open(&self.known, at)) {
+            sides[y * w + x] = self.grid.on_source_side(x - left, y - top);
+        }
+        sides
     }
-    grid.cut();
-    for (x, y) in places().filter(|(x, y)| known[y * w + x] == Known::Unknown) {
-        sides[y * w + x] = grid.on_source_side(x - left, y - top);
-    }
-    sides
 }
 
 /// The rectangle (left, top, right, bottom) of a window that holds all that is unknown.
-fn open(known: &[Known], wide: usize) -> Option<[usize; 4]> {
-    let mut all: Option<[usize; 4]> = None;
-    let unknown = known.iter().enumerate();
-    for (i, _) in unknown.filter(|(_, k)| **k == Known::Unknown) {
-        let (x, y) = (i % wide, i / wide);
-        let [left, top, right, _] = all.unwrap_or([x, y, x, y]);
-        all = Some([left.min(x), top, right.max(x + 1), y + 1]);
+fn open(known: &[Known], wide: usize) -> [usize; 4] {
+    let mut all = [usize::MAX, usize::MAX, 0, 0];
+    for (y, row) in known.chunks(wide.max(1)).enumerate() {
+        let unknown = |k: &Known| *k == Known::Unknown;
+        let (first, last) = (row.iter().position(unknown), row.iter().rposition(unknown));
+        if let (Some(first), Some(last)) = (first, last) {
+            let [left, top, right, _] = all;
+            all = [left.min(first), top.min(y), right.max(last + 1), y + 1];
+        }
     }
-    all
+    match all[3] {
+        0 => [0; 4],
+        _ => all,
+    }
 }
 
 /// What it costs to part two neighbours, by how far their colours are apart.
@@ -170,7 +191,7 @@ impl Prices {
     }
 }
 
-/// As [`least_cut`], by what speaks for the body at each pixel of the window: ln p(body) − ln p(background).
+/// A window cut by what speaks for the body at each of its pixels: ln p(body) − ln p(background).
 pub(crate) fn cut_by_odds(
     photo: &Rgb,
     window: &Window,
@@ -178,17 +199,13 @@ pub(crate) fn cut_by_odds(
     odds: &[f32],
     known: &dyn Fn(usize) -> Known,
 ) -> Vec<bool> {
-    let colours = |_: usize, here: usize| {
-        let cost = (f64::from(odds[here]) * UNIT) as i32;
+    let colours = |odds: &f32| {
+        let cost = (f64::from(*odds) * UNIT) as i32;
         (cost.max(0), (-cost).max(0))
     };
-    let own = |_: usize, _: usize| false;
-    let terms = Terms {
-        known,
-        colours: &colours,
-        own: &own,
-    };
-    least_cut(photo, window, gamma, &terms)
+    let known = window.pixels(photo).map(known).collect();
+    let mut cut = LeastCut::new(photo, window, gamma, known, &vec![false; odds.len()]);
+    cut.sides(odds.iter().map(colours).collect())
 }
 
 /// Squared difference of two colours, channels summed.

@@ -36,8 +36,6 @@ const NOBODY: u8 = 10;
 
 /// A grid on its way to its least cut.
 pub struct Grid {
-    width: usize,
-    height: usize,
     /// Row length with a border of one node on each side.
     stride: usize,
     /// Residual capacity towards each neighbour.
@@ -55,7 +53,8 @@ pub struct Grid {
     /// Cells of a block along x, y and z; of a picture its columns, rows, and one.
     block: [usize; 3],
     time: u32,
-    flow: i64,
+    /// What it costs that all are on the source's side.
+    lost: i64,
 }
 
 impl Grid {
@@ -80,8 +79,6 @@ impl Grid {
         let stride = width + 2;
         let nodes = stride * (height + 2);
         Grid {
-            width,
-            height,
             stride,
             arcs: vec![[0; 8]; nodes],
             terminal: vec![0; nodes],
@@ -95,7 +92,7 @@ impl Grid {
             offsets,
             block,
             time: 0,
-            flow: 0,
+            lost: 0,
         }
     }
 
@@ -107,11 +104,12 @@ impl Grid {
         (node as isize + self.offsets[d]) as usize
     }
 
-    /// What it costs to put a pixel on the sink's side (`keep`) or on the source's (`lose`).
-    pub fn set_terminal(&mut self, x: usize, y: usize, keep: i32, lose: i32) {
+    /// What it costs more than before to put a pixel on the sink's side (`keep`) or on the source's (`lose`); after a cut,
+    /// too.
+    pub fn add_terminal(&mut self, x: usize, y: usize, keep: i32, lose: i32) {
         let node = self.node(x, y);
-        self.terminal[node] = keep - lose;
-        self.flow += i64::from(keep.min(lose));
+        self.terminal[node] += keep - lose;
+        self.lost += i64::from(lose);
     }
 
     /// What it costs to part a pixel from its neighbour `d`; both must be inside.
@@ -128,10 +126,10 @@ impl Grid {
         (cell % nx, cell / nx + ny)
     }
 
-    /// As [`set_terminal`](Self::set_terminal), of a cell of a block.
-    pub fn set_cell_terminal(&mut self, cell: usize, keep: i32, lose: i32) {
+    /// As [`add_terminal`](Self::add_terminal), of a cell of a block.
+    pub fn add_cell_terminal(&mut self, cell: usize, keep: i32, lose: i32) {
         let (x, y) = self.place(cell);
-        self.set_terminal(x, y, keep, lose);
+        self.add_terminal(x, y, keep, lose);
     }
 
     /// What it costs to part a cell of a block from the next along x, y or z (0, 1, 2), which must be
@@ -149,19 +147,23 @@ impl Grid {
 
     /// Finds the least cut; returns the flow, which is its cost.
     pub fn cut(&mut self) -> i64 {
-        for y in 0..self.height {
-            for x in 0..self.width {
-                let node = self.node(x, y);
-                if self.terminal[node] != 0 {
-                    self.tree[node] = if self.terminal[node] > 0 {
-                        SOURCE
-                    } else {
-                        SINK
-                    };
-                    self.parent[node] = TERMINAL;
-                    self.distance[node] = 1;
-                    self.wake(node);
-                }
+        let nodes = 0..self.terminal.len();
+        for node in nodes.clone() {
+            (self.tree[node], self.parent[node]) = match self.terminal[node] {
+                0 => (FREE, NOBODY),
+                more if more > 0 => (SOURCE, TERMINAL),
+                _ => (SINK, TERMINAL),
+            };
+        }
+        self.distance.fill(1);
+        self.stamp.fill(0);
+        self.time = 0;
+        // Amid its own tree a node has nowhere to grow.
+        for node in nodes {
+            let tree = self.tree[node];
+            let other = |d: usize| self.tree[self.neighbour(node, d)] != tree;
+            if tree != FREE && (0..8).any(other) {
+                self.wake(node);
             }
         }
         while let Some(node) = self.active.pop_front() {
@@ -180,7 +182,11 @@ impl Grid {
                 }
             }
         }
-        self.flow
+        let left = self
+            .terminal
+            .iter()
+            .map(|t| i64::from(t.min(&0).unsigned_abs()));
+        self.lost - left.sum::<i64>()
     }
 
     /// Whether a pixel ended on the source's side.
@@ -286,6 +292,5 @@ impl Grid {
         if self.terminal[node] == 0 {
             self.orphan(node);
         }
-        self.flow += i64::from(least);
     }
 }

@@ -22,7 +22,8 @@ pub(crate) struct ByColors {
 
 /// What each colour costs.
 pub(crate) fn costs(image: &Rgb, of: &Gmm) -> Vec<f32> {
-    image.data.iter().map(|c| of.cost(*c) as f32).collect()
+    let all = of.costs(&image.data).into_iter();
+    all.map(|cost| cost as f32).collect()
 }
 
 /// The subject by colours alone: those that are known to be background's; elsewhere, what

@@ -1,8 +1,8 @@
 //! Body and background of a photo by graph cuts, coarse to fine (Rother, Kolmogorov, Blake 2004).
 
-use crate::cut::least_cut::{Known, Terms, UNIT, Window, least_cut};
+use crate::cut::least_cut::{Known, LeastCut, UNIT, Window};
 use crate::likelihood::background::{FLAT, Noise};
-use crate::likelihood::body::{EVIDENT, body_cost};
+use crate::likelihood::body::{EVIDENT, body_costs};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::person::{SURE, with_person};
 use crate::likelihood::prepared::Prepared;
@@ -69,18 +69,18 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
     let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
     let cost = |cost: &f32| ready.foreseen_or_not(*cost);
     let background: Vec<f32> = ready.cost.iter().map(cost).collect();
-    let window = Window::all(photo);
+    let costs = Costs {
+        background: &background,
+        person,
+        ..Costs::default()
+    };
+    let mut cut = ColorCut::new(photo, &costs, &Window::all(photo), &settings, &|i| known[i]);
     let mut gmm = None;
     for _ in 0..settings.rounds.max(1) {
         let own = body.iter().zip(&photo.data).filter(|(b, _)| **b);
         let colors: Vec<[u8; 3]> = own.map(|(_, c)| *c).step_by(7).collect();
         let fitted = Gmm::fit(&colors, settings.clusters)?;
-        let costs = Costs {
-            background: &background,
-            person,
-            ..Costs::default()
-        };
-        body = cut(photo, &costs, &window, &fitted, &settings, &|i| known[i]);
+        body = cut.sides(&fitted);
         gmm = Some(fitted);
     }
     let sides = raster(photo.width, photo.height, body);
@@ -107,35 +107,75 @@ pub(crate) fn cut(
     settings: &Settings,
     known: &dyn Fn(usize) -> Known,
 ) -> Vec<bool> {
-    let Costs {
-        background,
-        person,
-        mixed,
-    } = costs;
-    let colours = |i: usize, here: usize| {
+    ColorCut::new(photo, costs, window, settings, known).sides(body)
+}
+
+/// A window ready to be cut by the colours of a body.
+struct ColorCut<'a> {
+    costs: &'a Costs<'a>,
+    thinner: f64,
+    known: Vec<Known>,
+    /// The colours of what is unknown.
+    colors: Vec<[u8; 3]>,
+    cut: LeastCut,
+}
+
+impl<'a> ColorCut<'a> {
+    fn new(
+        photo: &Rgb,
+        costs: &'a Costs<'a>,
+        window: &Window,
+        settings: &Settings,
+        known: &dyn Fn(usize) -> Known,
+    ) -> Self {
+        let known: Vec<Known> = window.pixels(photo).map(known).collect();
+        let open = window.pixels(photo).zip(&known);
+        let open = open.filter(|(_, known)| **known == Known::Unknown);
+        let colors = open.map(|(i, _)| photo.data[i]).collect();
+        // An edge that the background has by itself is no reason to cut here.
+        let more = |here: usize| costs.person.get(here).map_or(0.0, |p| p.max(0.0));
+        let own = |here: usize| costs.background[here] + more(here) < OWN_NATS;
+        let own: Vec<bool> = (0..known.len()).map(own).collect();
+        ColorCut {
+            costs,
+            thinner: settings.thinner,
+            cut: LeastCut::new(photo, window, settings.gamma, known.clone(), &own),
+            known,
+            colors,
+        }
+    }
+
+    fn sides(&mut self, body: &Gmm) -> Vec<bool> {
+        let mut of_body = body_costs(body, &self.colors).into_iter();
+        let open = self.known.iter().map(|known| match known {
+            Known::Unknown => of_body.next(),
+            _ => None,
+        });
+        let costs = open.enumerate().map(|(here, of_body)| {
+            let of_body = of_body.map(|cost| self.nats(here, cost - self.thinner));
+            of_body.map_or((0, 0), |(keep, lose)| {
+                ((keep * UNIT) as i32, (lose * UNIT) as i32)
+            })
+        });
+        self.cut.sides(costs.collect())
+    }
+
+    /// What a pixel costs as background and as body, by what its colour costs the body. \[nats\]
+    fn nats(&self, here: usize, of_body: f64) -> (f64, f64) {
         // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
         let alone = [f32::INFINITY; 2];
-        let [ground, of_both] = mixed.get(here).copied().flatten().unwrap_or(alone);
-        let keep = f64::from(background[here].min(ground));
-        let of_body = (body_cost(body, photo.data[i]) - settings.thinner).min(f64::from(of_both));
-        let (keep, of_body) = match person.get(here) {
+        let [ground, of_both] = self
+            .costs
+            .mixed
+            .get(here)
+            .copied()
+            .flatten()
+            .unwrap_or(alone);
+        let keep = f64::from(self.costs.background[here].min(ground));
+        let of_body = of_body.min(f64::from(of_both));
+        match self.costs.person.get(here) {
             Some(odds) => with_person(keep, of_body, *odds),
             None => (keep, of_body),
-        };
-        ((keep * UNIT) as i32, (of_body * UNIT) as i32)
-    };
-    // An edge that the background has by itself is no reason to cut here.
-    let more = |here: usize| person.get(here).map_or(0.0, |p| p.max(0.0));
-    let cost = |here: usize| background[here] + more(here);
-    let own = |here: usize, there: usize| cost(here).min(cost(there)) < OWN_NATS;
-    least_cut(
-        photo,
-        window,
-        settings.gamma,
-        &Terms {
-            known,
-            colours: &colours,
-            own: &own,
-        },
-    )
+        }
+    }
 }

@@ -18,7 +18,16 @@ pub(crate) const OWN_COLOR: f64 = ANY_COLOR - 3.0;
 
 /// -ln p(colour | body): of its mixture or, one time in three, of any colour.
 pub(crate) fn body_cost(body: &Gmm, color: [u8; 3]) -> f64 {
-    (body.cost(color) + 0.36).min(STRANGE)
+    of_mixture(body.cost(color))
+}
+
+/// [`body_cost`] of each of some colours.
+pub(crate) fn body_costs(body: &Gmm, colors: &[[u8; 3]]) -> Vec<f64> {
+    body.costs(colors).into_iter().map(of_mixture).collect()
+}
+
+fn of_mixture(cost: f64) -> f64 {
+    (cost + 0.36).min(STRANGE)
 }
 
 /// The pixels of a photo that evidently are no background, by what they cost as such.

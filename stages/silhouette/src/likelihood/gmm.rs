@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use shape::MixtureRow;
+use stage::machine::widest;
 
 /// One cluster of colours.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +22,9 @@ pub struct Gmm {
 /// Least variance of a cluster: sensor noise and rounding. By hand: looked at scene 131 with a plate, at 0.7 and 1.4 of
 /// it: mean IoU +0.0000 and −0.0001. \[levels²\]
 const LEAST_VARIANCE: f64 = 6.0;
+
+/// Colours that are looked at side by side (structural: whole registers).
+const LANES: usize = 8;
 
 impl Gmm {
     /// Fits clusters to colours: seeds farthest from each other, then Lloyd's iterations, then
@@ -114,12 +118,43 @@ impl Gmm {
 
     /// -ln of the density of a colour, by its likeliest cluster.
     pub fn cost(&self, color: [u8; 3]) -> f64 {
-        let c = Vector3::from(color.map(f64::from));
-        let one = |k: &Cluster| {
-            let off = c - k.mean;
-            0.5 * off.dot(&(k.inverse * off)) - k.log_scale
-        };
-        self.clusters.iter().map(one).fold(f64::MAX, f64::min)
+        self.side_by_side([color; 1])[0]
+    }
+
+    /// The same of each of some colours.
+    pub(crate) fn costs(&self, colors: &[[u8; 3]]) -> Vec<f64> {
+        let mut costs = vec![0.0; colors.len()];
+        widest(
+            #[inline(always)]
+            || {
+                let (whole, rest) = colors.as_chunks::<LANES>();
+                let (to, last) = costs.as_chunks_mut();
+                for (to, colors) in to.iter_mut().zip(whole) {
+                    *to = self.side_by_side(*colors);
+                }
+                for (to, color) in last.iter_mut().zip(rest) {
+                    *to = self.cost(*color);
+                }
+            },
+        );
+        costs
+    }
+
+    #[inline(always)]
+    fn side_by_side<const N: usize>(&self, colors: [[u8; 3]; N]) -> [f64; N] {
+        let mut least = [f64::MAX; N];
+        for k in &self.clusters {
+            for (least, color) in least.iter_mut().zip(&colors) {
+                let off = [0, 1, 2].map(|c| f64::from(color[c]) - k.mean[c]);
+                let row = |r: usize| {
+                    let of = |c: usize| k.inverse[(r, c)] * off[c];
+                    (of(0) + of(1) + of(2)) * off[r]
+                };
+                let cost = 0.5 * (row(0) + row(1) + row(2)) - k.log_scale;
+                *least = least.min(cost);
+            }
+        }
+        least
     }
 }
 

@@ -67,7 +67,7 @@ pub(crate) fn solid(block: &Block, evidence: &[f32], smooth: f32) -> Vec<bool> {
     let part = (smooth * UNIT as f32) as i32;
     for (i, e) in evidence.iter().enumerate() {
         let cost = (e.clamp(-MOST_NATS, MOST_NATS) * UNIT as f32) as i32;
-        grid.set_cell_terminal(i, cost.max(0), (-cost).max(0));
+        grid.add_cell_terminal(i, cost.max(0), (-cost).max(0));
         let at = block.at(i);
         for axis in 0..3 {
             if at[axis] + 1 < block.count[axis] {

@@ -52,7 +52,7 @@ fn the_flow_is_the_greatest_and_the_cut_costs_as_much() {
         for i in 0..w * h {
             let (x, y) = (i % w, i / w);
             let (keep, lose) = ((dice.bits() % 20) as i32, (dice.bits() % 20) as i32);
-            grid.set_terminal(x, y, keep, lose);
+            grid.add_terminal(x, y, keep, lose);
             dense[w * h][i] = i64::from(keep);
             dense[i][w * h + 1] = i64::from(lose);
             terminals.push((x, y, keep, lose));
@@ -106,7 +106,7 @@ fn the_cut_of_a_block_is_the_least_of_all() {
         }
         let mut grid = Grid::block(count);
         for (i, [keep, lose]) in ends.iter().enumerate() {
-            grid.set_cell_terminal(i, *keep, *lose);
+            grid.add_cell_terminal(i, *keep, *lose);
         }
         for (i, axis, _, price) in &arcs {
             grid.set_cell_arc(*i, *axis, *price);
@@ -123,5 +123,40 @@ fn the_cut_of_a_block_is_the_least_of_all() {
             .unwrap();
         assert_eq!(flow, least);
         assert_eq!(cost(&|i| grid.cell_on_source_side(i)), least);
+    }
+}
+
+#[test]
+fn a_grid_is_cut_again_as_one_that_was_made_anew() {
+    for seed in 0..100 {
+        let mut dice = Dice(seed);
+        let (w, h) = (7, 6);
+        let mut below = |most: u64| (dice.bits() as u64 % most) as i32;
+        let (mut again, mut anew) = (Grid::new(w, h), Grid::new(w, h));
+        for i in 0..w * h {
+            for d in 4..8 {
+                let (nx, ny) = ((i % w) as i32 + STEPS[d].0, (i / w) as i32 + STEPS[d].1);
+                if nx >= 0 && nx < w as i32 && ny < h as i32 {
+                    let capacity = below(9);
+                    again.set_arc(i % w, i / w, d, capacity);
+                    anew.set_arc(i % w, i / w, d, capacity);
+                }
+            }
+        }
+        for round in 0..3 {
+            for i in 0..w * h {
+                let (keep, lose) = (below(30) - 10 * round, below(30));
+                again.add_terminal(i % w, i / w, keep, lose);
+                anew.add_terminal(i % w, i / w, keep, lose);
+            }
+            if round < 2 {
+                again.cut();
+            }
+        }
+        assert_eq!(again.cut(), anew.cut(), "seed {seed}");
+        for i in 0..w * h {
+            let side = |grid: &Grid| grid.on_source_side(i % w, i / w);
+            assert_eq!(side(&again), side(&anew), "seed {seed}");
+        }
     }
 }
