@@ -93,8 +93,11 @@ impl Intrinsics {
             (at_px.y - self.centre[1]) / self.focal[1],
         );
         let [k1, k2] = self.radial;
+        if k1 == 0.0 && k2 == 0.0 {
+            return q;
+        }
         let target = q.norm();
-        if target == 0.0 || (k1 == 0.0 && k2 == 0.0) {
+        if target == 0.0 {
             return q;
         }
         let mut r = target;

@@ -129,9 +129,12 @@ impl Likeness<'_> {
 /// What a pixel may be when edges move by a part of a pixel: darkest and brightest.
 pub(crate) fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) {
     let (mut lo, mut hi) = ([255u8; 3], [0u8; 3]);
+    let columns = x.saturating_sub(1)..(x + 2).min(expected.width);
     for row in y.saturating_sub(1)..(y + 2).min(expected.height) {
-        for p in &expected.row(row)[x.saturating_sub(1)..(x + 2).min(expected.width)] {
-            (0..3).for_each(|c| (lo[c], hi[c]) = (lo[c].min(p[c]), hi[c].max(p[c])));
+        for p in &expected.row(row)[columns.clone()] {
+            for c in 0..3 {
+                (lo[c], hi[c]) = (lo[c].min(p[c]), hi[c].max(p[c]));
+            }
         }
     }
     let middle = expected.at(x, y).map(f32::from);
@@ -145,9 +148,11 @@ pub(crate) fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) 
 /// The cost of a change of the background's light with spread `sigma`, or [`SHADED_LIGHT`] where the subject changes it.
 fn price_of_light(change: f32, sigma: f32) -> f32 {
     let half_square = |sigma: f32| (change / sigma) * (change / sigma) / 2.0;
-    let seldom = libm::logf((1.0 - SHADED_SHARE) / SHADED_SHARE * SHADED_LIGHT / sigma);
     match sigma < SHADED_LIGHT {
-        true => half_square(sigma).min(half_square(SHADED_LIGHT) + seldom),
+        true => {
+            let seldom = (1.0 - SHADED_SHARE) / SHADED_SHARE * SHADED_LIGHT / sigma;
+            half_square(sigma).min(half_square(SHADED_LIGHT) + libm::logf(seldom))
+        }
         false => half_square(SHADED_LIGHT),
     }
 }

@@ -11,32 +11,63 @@ pub(crate) const REACH_PX: usize = 2;
 /// off at its border.
 pub(crate) fn box_means(image: &Rgb, [x0, y0, x1, y1]: [usize; 4], reach: usize) -> Vec<[f32; 3]> {
     let (wide, tall) = (x1 - x0, y1 - y0);
-    let sums = [0, 1, 2].map(|c| {
-        let level = |i: usize| u32::from(image.at(x0 + i % wide, y0 + i / wide)[c]);
-        Sums::of(wide, tall, level)
-    });
-    let mean = |i: usize, sums: &Sums| {
-        let (sum, count) = sums.around(i, reach);
-        sum as f32 / count as f32
-    };
-    let at = |i: usize| sums.each_ref().map(|sums| mean(i, sums));
-    (0..wide * tall).map(at).collect()
+    let mut means = Vec::with_capacity(wide * tall);
+    // Sums of columns over the rows around, which go on from row to row, as those along a row do from column to column.
+    let mut columns = vec![[0u32; 3]; wide];
+    let row = |y: usize| &image.row(y0 + y)[x0..x1];
+    for y in 0..tall + reach {
+        if y < tall {
+            let both = columns.iter_mut().zip(row(y));
+            both.for_each(|(sum, p)| (0..3).for_each(|c| sum[c] += u32::from(p[c])));
+        }
+        if let Some(gone) = y.checked_sub(2 * reach + 1) {
+            let both = columns.iter_mut().zip(row(gone));
+            both.for_each(|(sum, p)| (0..3).for_each(|c| sum[c] -= u32::from(p[c])));
+        }
+        let Some(middle) = y.checked_sub(reach) else {
+            continue;
+        };
+        let rows = (y + 1).min(tall) - middle.saturating_sub(reach);
+        let mut sum = [0u32; 3];
+        for x in 0..wide + reach {
+            if x < wide {
+                (0..3).for_each(|c| sum[c] += columns[x][c]);
+            }
+            if let Some(gone) = x.checked_sub(2 * reach + 1) {
+                (0..3).for_each(|c| sum[c] -= columns[gone][c]);
+            }
+            if let Some(middle) = x.checked_sub(reach) {
+                let count = rows * ((x + 1).min(wide) - middle.saturating_sub(reach));
+                means.push(sum.map(|sum| sum as f32 / count as f32));
+            }
+        }
+    }
+    means
 }
 
 /// The least of all values within a neighbourhood, along rows and then columns.
 pub(crate) fn least_around(values: &[f32], wide: usize, reach: usize) -> Vec<f32> {
-    let tall = values.len() / wide.max(1);
-    let along = |from: &[f32], stride: usize, count: usize, at: usize, i: usize| {
-        let near = i.saturating_sub(reach)..(i + reach + 1).min(count);
-        near.map(|k| from[at + k * stride - i * stride])
-            .fold(f32::MAX, f32::min)
+    let lower = |to: &mut [f32], from: &[f32]| {
+        let both = to.iter_mut().zip(from);
+        both.for_each(|(to, from)| *to = to.min(*from));
     };
-    let rows: Vec<f32> = (0..values.len())
-        .map(|at| along(values, 1, wide, at, at % wide))
-        .collect();
-    (0..values.len())
-        .map(|at| along(&rows, wide, tall, at, at / wide))
-        .collect()
+    let mut rows = values.to_vec();
+    let both = rows.chunks_mut(wide.max(1)).zip(values.chunks(wide.max(1)));
+    for (to, from) in both {
+        for far in 1..=reach.min(wide.saturating_sub(1)) {
+            lower(to, &from[far..]);
+            lower(&mut to[far..], from);
+        }
+    }
+    let mut least = rows.clone();
+    for far in (1..=reach)
+        .map(|far| far * wide)
+        .filter(|far| *far < rows.len())
+    {
+        lower(&mut least, &rows[far..]);
+        lower(&mut least[far..], &rows);
+    }
+    least
 }
 
 /// Sums over all pixels left of and above; differences of them are right though they wrap around.

@@ -123,10 +123,10 @@ impl Turn<'_> {
     fn weighed(&self, id: PhotoId, photo: &Photo) -> Result<Weighed, Stop> {
         let pixels = self.aligned.of(id).brought(photo.decode()?);
         let without = self.behind.of_photo(id, &pixels);
-        let mut ready = self.ready(id, &pixels, &without);
+        let (mut ready, shown) = self.ready(id, &pixels, &without);
         let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
         close(known, width, factor, photo, self.aligned)?;
-        Ok((ready.evidence(), without.image.reduced(factor)))
+        Ok((ready.evidence(), shown))
     }
 
     /// The same, where pixels that gain the light of what the disk mirrors cost as much as with it, if that is less.
@@ -140,7 +140,7 @@ impl Turn<'_> {
         let pixels = self.aligned.of(id).brought(photo.decode()?);
         let without = self.behind.of_photo(id, &pixels);
         let image = mirroring(&without.image, gained, evidence.factor as usize);
-        let mirroring = self.ready(id, &pixels, &Backdrop { image, ..without });
+        let (mirroring, _) = self.ready(id, &pixels, &Backdrop { image, ..without });
         let mut evidence = evidence.clone();
         let costs = evidence.background.iter_mut().zip(&mirroring.cost);
         for ((cost, with), gained) in costs.zip(gained.chunks(3)) {
@@ -152,11 +152,13 @@ impl Turn<'_> {
         Ok(evidence)
     }
 
-    fn ready(&self, id: PhotoId, pixels: &Rgb, without: &Backdrop) -> Prepared {
+    /// A photo before what it would show without the subject, and that, reduced.
+    fn ready(&self, id: PhotoId, pixels: &Rgb, without: &Backdrop) -> (Prepared, Rgb) {
         let (floor, most) = (self.behind.floor(id), self.aligned.coarse_px as usize);
         let mut ready = prepare(pixels, without, floor, most, self.disk_side_mm);
-        missed_in_photo(&mut ready, &without.image);
-        ready
+        let shown = without.image.reduced(ready.factor);
+        missed_in_photo(&mut ready, &shown);
+        (ready, shown)
     }
 }
 

@@ -25,14 +25,13 @@ const FEW: usize = 40;
 
 /// Raises what pixels cost as the disk, the floor or a wall where they lack its grain: on the ground
 /// shadows are deep, so light and hue tell little, and cloth of a wall's colour differs from it by its own grain. Nothing where
-/// it is not known where the floor is. `without` is what the photo would show without the subject, at full size.
-pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
+/// it is not known where the floor is. `map` is what the reduced photo would show without the subject.
+pub(crate) fn missed_in_photo(ready: &mut Prepared, map: &Rgb) {
     let Some(before) = ready.floor else {
         return;
     };
-    let map = without.reduced(ready.factor);
-    let disk = disk(ready, &before, &map);
-    let [floor, walls] = still(ready, &before, &map);
+    let disk = disk(ready, &before, map);
+    let [floor, walls] = still(ready, &before, map);
     let body = colors_above(ready, &disk);
     for places in [disk, floor, walls] {
         let Some(usual) = usual(places.iter().flatten()) else {
@@ -115,6 +114,9 @@ struct Place {
 /// What is usually left of a bare ground: the median. `None` where too little of it is bare. \[levels²\]
 fn usual<'a>(places: impl Iterator<Item = &'a Place>) -> Option<f32> {
     let mut bare: Vec<f32> = places.filter(|p| p.bare).map(|p| p.left).collect();
-    bare.sort_by(f32::total_cmp);
-    (bare.len() >= FEW).then(|| bare[bare.len() / 2].max(LEAST_LEFT_OVER))
+    let middle = bare.len() / 2;
+    (bare.len() >= FEW).then(|| {
+        let (_, median, _) = bare.select_nth_unstable_by(middle, f32::total_cmp);
+        median.max(LEAST_LEFT_OVER)
+    })
 }

@@ -31,16 +31,16 @@ pub(super) fn left_over(
     apart: usize,
     on: impl Fn(usize) -> bool,
 ) -> Image<f32> {
-    let laid = Laid::new(photo, map, apart, &on);
+    let laid = Laid::new(photo, map, apart, on);
     let mut least = vec![f32::MAX; laid.on.len()];
     widest(
         #[inline(always)]
         || laid.explain(&mut least),
     );
     let (width, height) = (photo.width, photo.height);
-    let of = |i: usize| match on(i) {
-        true => least[laid.place(i % width, i / width)],
-        false => f32::MAX,
+    let of = |i: usize| match laid.place(i % width, i / width) {
+        place if laid.on[place] > 0.0 => least[place],
+        _ => f32::MAX,
     };
     raster(width, height, (0..width * height).map(of).collect())
 }
@@ -135,20 +135,20 @@ impl Laid {
                 let mut mean = [0.0; LANES];
                 for ((step, [x, y]), left) in window.iter().zip(&mut left) {
                     let at = middle.wrapping_add_signed(*step);
-                    let here =
-                        |l: usize| (light[0][l] + light[1][l] * x + light[2][l] * y).max(0.0);
-                    *left = self.left(at, std::array::from_fn(here));
+                    let mut here = [0.0; LANES];
+                    for l in 0..LANES {
+                        here[l] = (light[0][l] + light[1][l] * x + light[2][l] * y).max(0.0);
+                    }
+                    *left = self.left(at, here);
                     (0..LANES).for_each(|l| mean[l] += left[l]);
                 }
-                // Where a window has no light it explains nothing.
-                let of = |l: usize| {
-                    if count[l] > 0.0 {
-                        mean[l] / count[l]
-                    } else {
-                        f32::MAX
-                    }
-                };
-                let mean: Lanes = std::array::from_fn(of);
+                for l in 0..LANES {
+                    // Where a window has no light it explains nothing.
+                    mean[l] = match count[l] > 0.0 {
+                        true => mean[l] / count[l],
+                        false => f32::MAX,
+                    };
+                }
                 for ((step, _), left) in window.iter().zip(&left) {
                     let least = &mut least[middle.wrapping_add_signed(*step)..][..LANES];
                     for l in 0..LANES {
@@ -162,20 +162,21 @@ impl Laid {
     /// The square that lights leave of pixels side by side, all channels together. \[levels²\]
     #[inline(always)]
     fn left(&self, at: usize, light: Lanes) -> Lanes {
-        let [a, b, c] = [0, 1, 2].map(|c| {
-            let (shown, lo, hi) = (
-                lanes(&self.shown[c], at),
-                lanes(&self.lo[c], at),
-                lanes(&self.hi[c], at),
-            );
-            let off = |l: usize| {
+        let mut squares = [[0.0; LANES]; 3];
+        for (c, square) in squares.iter_mut().enumerate() {
+            let (lo, hi) = (lanes(&self.lo[c], at), lanes(&self.hi[c], at));
+            let shown = lanes(&self.shown[c], at);
+            for l in 0..LANES {
                 let below = lo[l] * light[l] - shown[l];
-                below.max(shown[l] - hi[l] * light[l]).max(0.0)
-            };
-            let off: Lanes = std::array::from_fn(off);
-            off.map(|off| off * off)
-        });
-        std::array::from_fn(|l| a[l] + b[l] + c[l])
+                let off = below.max(shown[l] - hi[l] * light[l]).max(0.0);
+                square[l] = off * off;
+            }
+        }
+        let [mut sum, b, c] = squares;
+        for l in 0..LANES {
+            sum[l] = sum[l] + b[l] + c[l];
+        }
+        sum
     }
 
     /// The best planes of light of windows side by side, and how many pixels each has on the ground: 0 where it has none in
