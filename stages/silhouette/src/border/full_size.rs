@@ -3,7 +3,7 @@
 use crate::border::mixed::{Mixtures, Sides};
 use crate::border::narrow_gaps::follow;
 use crate::border::soft_border::soft_border;
-use crate::border::tiles::{band, cut_again, of_small, settled, tiles};
+use crate::border::tiles::{band, cut_again, enlarged, of_small, settled, tiles};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Costs, Settings, cut};
 use crate::likelihood::background::{Likeness, Noise};
@@ -37,7 +37,7 @@ pub fn fine(
         return soft_border(pixels, Some(without), coarse, noise);
     }
     let band = band(coarse);
-    let settled = Settled::of(ready, coarse, &band);
+    let settled = Settled::of(ready, coarse, &band, [width, height]);
     let likeness = Likeness {
         photo: pixels,
         expected: image,
@@ -60,9 +60,9 @@ pub fn fine(
         height: coarse.height,
         data: ready.person.clone(),
     };
-    let known = |i: usize| settled.at(i % width, i / width);
+    let known = &settled.known.data;
     let places = settled.places(width, height);
-    let mixtures = Mixtures::of(&Sides::of(&likeness, without, &cost, &known), &places);
+    let mixtures = Mixtures::of(&Sides::of(&likeness, without, &cost, known), &places);
     let mut sides = cut_again(pixels, factor, coarse, &band, &|window| {
         let rows = window.y..window.y + window.height;
         let of_window: Vec<f32> = rows
@@ -74,7 +74,7 @@ pub fn fine(
             person: &settled.within(&person, window),
             mixed: &mixtures.within(window, width),
         };
-        cut(pixels, &costs, window, gmm, settings, &known)
+        cut(pixels, &costs, window, gmm, settings, &|i| known[i])
     });
     if ready.unforeseen.is_some() {
         let odds = |x: usize, y: usize| settled.between(&person, x, y);
@@ -86,13 +86,14 @@ pub fn fine(
 /// What the coarse cut leaves open: its border, where nothing was certain before.
 struct Settled {
     factor: usize,
+    /// At full size.
     known: Image<Known>,
     /// Coarse pixels that are open or beside one.
     near: Image<bool>,
 }
 
 impl Settled {
-    fn of(ready: &Prepared, coarse: &Image<bool>, band: &Image<bool>) -> Self {
+    fn of(ready: &Prepared, coarse: &Image<bool>, band: &Image<bool>, size: [usize; 2]) -> Self {
         let (width, height) = (coarse.width, coarse.height);
         let known = settled(coarse, band, &|i| ready.known[i]);
         let mut near = Image::filled(width, height, false);
@@ -105,13 +106,9 @@ impl Settled {
         }
         Settled {
             factor: ready.factor,
-            known,
+            known: enlarged(&known, ready.factor, size),
             near,
         }
-    }
-
-    fn at(&self, x: usize, y: usize) -> Known {
-        of_small(&self.known, self.factor, x, y)
     }
 
     /// Pixels (x, y) of a photo of this size that are open or near one, row by row.
@@ -126,10 +123,10 @@ impl Settled {
 
     /// Whether a pixel or one of its neighbours is open.
     fn beside_open(&self, x: usize, y: usize) -> bool {
-        let open = |x: usize, y: usize| self.at(x, y) == Known::Unknown;
-        let mut rows = y.max(1) - 1..y + 2;
+        let columns = x.max(1) - 1..(x + 2).min(self.known.width);
+        let mut rows = y.max(1) - 1..(y + 2).min(self.known.height);
         of_small(&self.near, self.factor, x, y)
-            && (open(x, y) || rows.any(|y| (x.max(1) - 1..x + 2).any(|x| open(x, y))))
+            && rows.any(|y| self.known.row(y)[columns.clone()].contains(&Known::Unknown))
     }
 
     /// What pixels cost as background where that is asked: the rest are settled.

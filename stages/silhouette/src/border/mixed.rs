@@ -30,12 +30,16 @@ impl Mixtures {
     /// Of these places of a photo, row by row; it is measured first how wide borders are.
     pub(crate) fn of(sides: &Sides<'_>, places: &[(usize, usize)]) -> Self {
         // Two deviations beyond the border and two within it show both, as far again one side.
-        let mixed_px = libm::roundf(2.0 * sides.blur(places)) as i32;
-        let costs = |&(x, y): &(usize, usize)| {
-            let mixture = sides.mixture(x, y, 2 * mixed_px)?;
-            Some((y * sides.likeness.photo.width + x, mixture.costs()))
+        let first = sides.mixtures(places, FIRST_APART_PX);
+        let mixed_px = libm::roundf(2.0 * sides.blur(places, &first)) as i32;
+        let all = match 2 * mixed_px {
+            FIRST_APART_PX => first,
+            apart => sides.mixtures(places, apart),
         };
-        Mixtures(places.iter().filter_map(costs).collect())
+        let costs = |(&(x, y), mixture): (&(usize, usize), Option<Mixture>)| {
+            Some((y * sides.likeness.photo.width + x, mixture?.costs()))
+        };
+        Mixtures(places.iter().zip(all).filter_map(costs).collect())
     }
 
     /// What the pixels of a window cost as background and as body, row by row; `None` where one is no mixture. \[nats\]
@@ -83,7 +87,7 @@ pub(crate) struct Sides<'a> {
     light: Light,
     /// What each pixel costs as background where it is open.
     cost: &'a [f32],
-    known: &'a dyn Fn(usize) -> Known,
+    known: &'a [Known],
 }
 
 impl<'a> Sides<'a> {
@@ -92,7 +96,7 @@ impl<'a> Sides<'a> {
         likeness: &'a Likeness<'a>,
         without: &'a Backdrop,
         cost: &'a [f32],
-        known: &'a dyn Fn(usize) -> Known,
+        known: &'a [Known],
     ) -> Self {
         Sides {
             likeness,
@@ -105,13 +109,13 @@ impl<'a> Sides<'a> {
 
     /// Half of how many pixels a border is wide between the shares of one deviation to either side: of all that may be
     /// mixtures, over the length of the line along which they are half body. \[px\]
-    fn blur(&self, places: &[(usize, usize)]) -> f32 {
+    fn blur(&self, places: &[(usize, usize)], mixtures: &[Option<Mixture>]) -> f32 {
         let (mut within, mut crossed) = (0u32, 0u32);
         // What was last seen in each column, and in which row.
         let mut above = vec![(usize::MAX, 0.0); self.likeness.photo.width];
-        for &(x, y) in places {
+        for (&(x, y), mixture) in places.iter().zip(mixtures) {
             let i = y * self.likeness.photo.width + x;
-            let mixture = self.mixture(x, y, FIRST_APART_PX).map(|m| m.share);
+            let mixture = mixture.as_ref().map(|m| m.share);
             let Some(share) = mixture.or_else(|| self.is_background(i).then_some(0.0)) else {
                 continue;
             };
@@ -131,11 +135,17 @@ impl<'a> Sides<'a> {
         }
     }
 
+    /// [`Sides::mixture`] of each of some places.
+    fn mixtures(&self, places: &[(usize, usize)], apart: i32) -> Vec<Option<Mixture>> {
+        let one = |&(x, y): &(usize, usize)| self.mixture(x, y, apart);
+        places.iter().map(one).collect()
+    }
+
     /// The likeliest mixture of what is so far to either side of a pixel.
     fn mixture(&self, x: usize, y: usize, apart: i32) -> Option<Mixture> {
         let i = y * self.likeness.photo.width + x;
         let strange = self.cost[i] > OWN_NATS && self.without.seen.data[i];
-        if apart == 0 || !strange || (self.known)(i) != Known::Unknown {
+        if apart == 0 || !strange || self.known[i] != Known::Unknown {
             return None;
         }
         let all = STEPS.map(|(dx, dy)| (apart * dx, apart * dy));
@@ -148,19 +158,19 @@ impl<'a> Sides<'a> {
     /// A mixture of the body in one direction and the background in the opposite one.
     fn between(&self, x: usize, y: usize, (dx, dy): (i32, i32)) -> Option<Mixture> {
         let (x, y) = (x as i32, y as i32);
-        let body = |i: usize| match (self.known)(i) {
+        let body = |i: usize| match self.known[i] {
             Known::Unknown => self.cost[i] > EVIDENT,
             known => known == Known::Body,
         };
-        let (of_body, _) = self.around((x + dx, y + dy), &body)?;
-        let (shown, expected) = self.around((x - dx, y - dy), &|i| self.is_background(i))?;
+        let (of_body, _) = self.around((x + dx, y + dy), body)?;
+        let (shown, expected) = self.around((x - dx, y - dy), |i| self.is_background(i))?;
         let lit = shown.iter().sum::<f32>() / expected.iter().sum::<f32>().max(f32::MIN_POSITIVE);
         Some(self.explained(x as usize, y as usize, of_body, lit))
     }
 
     /// Whether a pixel evidently shows the background.
     fn is_background(&self, i: usize) -> bool {
-        match (self.known)(i) {
+        match self.known[i] {
             Known::Unknown => self.cost[i] <= OWN_NATS,
             known => known == Known::Background,
         }
@@ -168,7 +178,7 @@ impl<'a> Sides<'a> {
 
     /// The mean light of the photo and of the background about a pixel that is of one side, over those that are; `None` if
     /// it is not.
-    fn around(&self, (x, y): (i32, i32), is: &dyn Fn(usize) -> bool) -> Option<(Shown, Shown)> {
+    fn around(&self, (x, y): (i32, i32), is: impl Fn(usize) -> bool) -> Option<(Shown, Shown)> {
         let (photo, expected) = (self.likeness.photo, self.likeness.expected);
         let inside = |v: i32, most: usize| (0..most as i32).contains(&v);
         let index = |x: i32, y: i32| y as usize * photo.width + x as usize;

@@ -79,6 +79,23 @@ pub(crate) fn of_small<T: Copy>(coarse: &Image<T>, factor: usize, x: usize, y: u
     coarse.at(x.min(coarse.width - 1), y.min(coarse.height - 1))
 }
 
+/// A coarse image at the size of the photo.
+pub(crate) fn enlarged<T: Copy>(
+    coarse: &Image<T>,
+    factor: usize,
+    [width, height]: [usize; 2],
+) -> Image<T> {
+    let mut data = Vec::with_capacity(width * height);
+    for row in (0..height).map(|y| coarse.row((y / factor).min(coarse.height - 1))) {
+        let end = data.len() + width;
+        for value in row {
+            data.extend(std::iter::repeat_n(*value, factor));
+        }
+        data.resize(end, row[row.len() - 1]);
+    }
+    raster(width, height, data)
+}
+
 /// A coarse cut at the size of the photo, its band cut again window by window by `cut`.
 pub(crate) fn cut_again(
     photo: &Rgb,
@@ -87,9 +104,8 @@ pub(crate) fn cut_again(
     band: &Image<bool>,
     cut: &dyn Fn(&Window) -> Vec<bool>,
 ) -> Image<bool> {
-    let (width, height) = (photo.width, photo.height);
-    let widened = |i: usize| of_small(coarse, factor, i % width, i / width);
-    let mut sides = raster(width, height, (0..width * height).map(widened).collect());
+    let width = photo.width;
+    let mut sides = enlarged(coarse, factor, [width, photo.height]);
     for tile in tiles(band) {
         let window = tile.with_margin(coarse, factor);
         let body = cut(&window);

@@ -65,7 +65,7 @@ fn a_border_before_what_nobody_saw_is_where_the_photo_shows_it() {
 #[test]
 fn what_nobody_saw_costs_little_where_the_scene_has_its_colour_beside() {
     let (photo, without, ready, coarse) = unseen_behind();
-    let settled = Settled::of(&ready, &coarse, &band(&coarse));
+    let settled = Settled::of(&ready, &coarse, &band(&coarse), [SIDE, SIDE]);
     let likeness = Likeness {
         photo: &photo,
         expected: &without.image,

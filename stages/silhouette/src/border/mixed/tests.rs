@@ -49,7 +49,7 @@ fn of_disc<T>(
         reach: REACH_PX,
     };
     let places: Vec<_> = (0..SIDE * SIDE).map(|i| (i % SIDE, i / SIDE)).collect();
-    let open = |_: usize| Known::Unknown;
+    let open = vec![Known::Unknown; cost.len()];
     look(&Sides::of(&likeness, &plate, &cost, &open), &places)
 }
 
@@ -60,7 +60,9 @@ const GREY: [f64; 3] = [110.0, 112.0, 118.0];
 fn how_wide_borders_are_is_measured() {
     for blur in [0.6, 1.0, 1.5] {
         for pair in [[SKIN, GREY], [GREY, SKIN]] {
-            let times = of_disc(blur, pair, |sides, places| sides.blur(places)) / blur as f32;
+            let times = of_disc(blur, pair, |sides, places| {
+                sides.blur(places, &sides.mixtures(places, FIRST_APART_PX))
+            }) / blur as f32;
             assert!((0.85..1.2).contains(&times), "{blur} px times {times}");
         }
     }
