@@ -105,7 +105,8 @@ impl<'a> Together<'a> {
         }
         let block = block(&views, cameras.ground_mm)?;
         let cells = (0..block.len()).into_par_iter();
-        let against = cells.map(|i| against(&views, &block.centre(i))).collect();
+        let one = |order: &mut Vec<usize>, i: usize| against(&views, order, &block.centre(i));
+        let against = cells.map_init(|| (0..views.len()).collect(), one).collect();
         Some(Together {
             views,
             block,
@@ -115,14 +116,19 @@ impl<'a> Together<'a> {
 }
 
 /// How many masks have a point outside, [`DISSENT`] + 1 at most; so many, too, where fewer than half of the photos see it.
-fn against(views: &[View<'_>], x: &Point3<f64>) -> u8 {
+/// It does not depend on the order, but time does: those that dissent are asked first of the next point.
+fn against(views: &[View<'_>], order: &mut [usize], x: &Point3<f64>) -> u8 {
     let (mut seen, mut against) = (0, 0);
-    for (_, mask, camera) in views {
+    for k in 0..order.len() {
+        let (_, mask, camera) = &views[order[k]];
         let Some(body) = mask.shows_point(camera, x) else {
             continue;
         };
         seen += 1;
-        against += u8::from(!body);
+        if !body {
+            order.swap(usize::from(against), k);
+            against += 1;
+        }
         if against > DISSENT {
             break;
         }
@@ -148,15 +154,16 @@ fn block(views: &[View<'_>], ground: f64) -> Option<Block> {
     let step = reach / STEPS_ASIDE as f64;
     let aside = |n: usize| (n as f64 - STEPS_ASIDE as f64) * step;
     let wide = 2 * STEPS_ASIDE + 1;
-    let shown = |i: usize| {
+    let shown = |order: &mut Vec<usize>, i: usize| {
         let [x, y] = [i % wide, i / wide % wide].map(aside);
         let up = ground + ((i / wide / wide) as f64 + 0.5) * step;
         let x = Point3::new(x, y, up);
-        (libm::hypot(x.x, x.y) < reach && against(views, &x) <= DISSENT).then_some(x)
+        (libm::hypot(x.x, x.y) < reach && against(views, order, &x) <= DISSENT).then_some(x)
     };
     let all = (0..wide * wide * STEPS_UP).into_par_iter();
     let (mut lo, mut hi) = ([f64::MAX; 3], [f64::MIN; 3]);
-    for x in all.filter_map(shown).collect::<Vec<_>>() {
+    let all = all.map_init(|| (0..views.len()).collect(), shown);
+    for x in all.flatten().collect::<Vec<_>>() {
         (0..3).for_each(|a| (lo[a], hi[a]) = (lo[a].min(x[a] - step), hi[a].max(x[a] + step)));
     }
     if lo[0] > hi[0] {

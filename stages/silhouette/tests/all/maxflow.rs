@@ -131,7 +131,7 @@ fn a_grid_is_cut_again_as_one_that_was_made_anew() {
     for seed in 0..100 {
         let mut dice = Dice(seed);
         let (w, h) = (7, 6);
-        let mut below = |most: u64| (dice.bits() as u64 % most) as i32;
+        let mut below = |most: u64| (dice.bits() % most) as i32;
         let (mut again, mut anew) = (Grid::new(w, h), Grid::new(w, h));
         for i in 0..w * h {
             for d in 4..8 {
