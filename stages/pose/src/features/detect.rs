@@ -4,6 +4,7 @@ use crate::features::gradients::{AT_ONCE, Row, faded};
 use crate::features::pyramid::{INTERVALS, Octave, SIGMA};
 use nalgebra::{Matrix3, Vector3};
 use shape::Gray;
+use stage::machine::widest;
 
 /// An extremum in an octave. \[px of the octave\]
 #[derive(Debug, Clone, Copy)]
@@ -43,7 +44,10 @@ pub fn extrema(octave: &Octave, contrast: f32, edge: f32) -> Vec<Extremum> {
         }
         let middle = y - 1;
         for layer in 1..=INTERVALS {
-            around.look(&d[layer], middle % 3);
+            widest(
+                #[inline(always)]
+                || around.look(&d[layer], middle % 3),
+            );
             let row = &d[layer][middle % 3];
             around.standing_out(row, 0.5 * contrast, |x| {
                 if (5..w - 5).contains(&x) && is_extremum(&d, layer, x, middle, row[x]) {
@@ -62,6 +66,7 @@ struct Around {
 }
 
 impl Around {
+    #[inline(always)]
     fn look(&mut self, rows: &[Vec<f32>; 3], middle: usize) {
         let max = |a: f32, b: f32| if a > b { a } else { b };
         let min = |a: f32, b: f32| if a < b { a } else { b };

@@ -1,8 +1,10 @@
 //! Gradients of neighbours in a row of an image, and a table that fades what is further out.
 
 use shape::Gray;
+use stage::machine::widest;
 
 /// The direction of a gradient in turns, 0..=1 (Abramowitz and Stegun 4.4.49: to 2e-6 of a turn).
+#[inline(always)]
 pub(crate) fn turn(gx: f32, gy: f32) -> f32 {
     let (ax, ay) = (gx.abs(), gy.abs());
     let (low, high) = if ax < ay { (ax, ay) } else { (ay, ax) };
@@ -60,11 +62,16 @@ impl Row {
             &image.row(y)[x + 1..][..count],
         );
         let (steep, turns) = (&mut self.steep[..count], &mut self.turn[..count]);
-        for i in 0..count {
-            let (gx, gy) = (right[i] - left[i], below[i] - above[i]);
-            steep[i] = (gx * gx + gy * gy).sqrt();
-            turns[i] = turn(gx, gy);
-        }
+        widest(
+            #[inline(always)]
+            || {
+                for i in 0..count {
+                    let (gx, gy) = (right[i] - left[i], below[i] - above[i]);
+                    steep[i] = (gx * gx + gy * gy).sqrt();
+                    turns[i] = turn(gx, gy);
+                }
+            },
+        );
     }
 }
 

@@ -3,11 +3,13 @@
 use crate::features::best::{Best, PLACE_PX};
 use rayon::prelude::*;
 use shape::{Features, Keypoint};
+use stage::machine::widest;
 
 /// Pairs of features: places in the two lists.
 pub type Pairs = Vec<(u32, u32)>;
 
 /// Of two descriptions: their product.
+#[inline(always)]
 pub(crate) fn likeness(a: &[u8; 128], b: &[u8; 128]) -> i32 {
     a.iter()
         .zip(b)
@@ -116,12 +118,16 @@ pub fn mutual(
         if left_out[0].get(i).copied().unwrap_or(false) {
             continue;
         }
-        let best = two_nearest(&rows, k, d, rise_px, |j, alike| {
+        let see = |j: u32, alike: i32| {
             let best = &mut back[j as usize];
             if alike > best.0 {
                 *best = (alike, i as u32);
             }
-        });
+        };
+        let best = widest(
+            #[inline(always)]
+            || two_nearest(&rows, k, d, rise_px, see),
+        );
         if best.ahead(ratio) {
             there.push((i as u32, best.at as u32));
         }
@@ -132,6 +138,7 @@ pub fn mutual(
 
 /// The nearest and the next one elsewhere; tells `see`
 /// of each that was looked at.
+#[inline(always)]
 fn two_nearest(
     rows: &Rows<'_>,
     k: &Keypoint,

@@ -1,6 +1,7 @@
 //! Scale space: an image blurred more and more, and differences of neighbours (Lowe 2004, §3).
 
 use shape::Gray;
+use stage::machine::widest;
 
 /// Intervals an octave is cut into (Lowe 2004, §3.2).
 pub const INTERVALS: usize = 3;
@@ -53,18 +54,25 @@ fn blurred(w: usize, h: usize, sigma: f32, mut source: impl FnMut(usize, &mut [f
             padded[radius + w..].fill(last);
             let row = &mut rows[(next % kept) * w..][..w];
             let sides = |i: usize| (&padded[radius - i..][..w], &padded[radius + i..][..w]);
-            weighted(&kernel, row, sides);
+            widest(
+                #[inline(always)]
+                || weighted(&kernel, row, sides),
+            );
             next += 1;
         }
         let row = |y: usize| &rows[(y % kept) * w..][..w];
         let sides = |i: usize| (row(y.saturating_sub(i)), row((y + i).min(h - 1)));
-        weighted(&kernel, out, sides);
+        widest(
+            #[inline(always)]
+            || weighted(&kernel, out, sides),
+        );
     }
     out
 }
 
 /// Sums what is to both sides of each pixel of a row, weighted; `sides(i)` are what is i away.
 /// Sixteen pixels at a time, so that sums stay in registers.
+#[inline(always)]
 fn weighted<'a>(kernel: &[f32], out: &mut [f32], sides: impl Fn(usize) -> (&'a [f32], &'a [f32])) {
     /// Columns that are worked on side by side (structural: speed alone).
     const AT_ONCE: usize = 16;
