@@ -4,6 +4,7 @@
 use crate::features::detect::Extremum;
 use crate::features::gradients::{AT_ONCE, Row, faded};
 use shape::Gray;
+use stage::machine::widest;
 
 /// As in Lowe 2004, §6.1.
 const CELLS: usize = 4;
@@ -21,9 +22,10 @@ pub fn describe(image: &Gray, e: &Extremum, angle: f32, fading: &[f32]) -> [u8; 
     let cell = CELL_SCALES * e.scale;
     let half = CELLS as f32 / 2.0;
     let radius = (cell * std::f32::consts::SQRT_2 * (half + 0.5)).round() as i32;
-    let mut padded = [0f32; PADDED * PADDED * BINS];
+    let mut padded = [[0f32; BINS]; PADDED * PADDED];
     let (cx, cy) = (e.x.round() as i32, e.y.round() as i32);
     let mut row = Row::default();
+    let mut places = [Place::default(); AT_ONCE];
     for y in (cy - radius).max(1)..=(cy + radius).min(image.height as i32 - 2) {
         let dy = (y as f32 - e.y) / cell;
         let reach = (half + 0.5) * cell;
@@ -35,24 +37,33 @@ pub fn describe(image: &Gray, e: &Extremum, angle: f32, fading: &[f32]) -> [u8; 
         for start in (least..=most).step_by(AT_ONCE) {
             let count = AT_ONCE.min((most - start + 1) as usize);
             row.look(image, start as usize, y as usize, count);
-            for i in 0..count {
-                let dx = ((start + i as i32) as f32 - e.x) / cell;
-                let (u, v) = (cos * dx + sin * dy, cos * dy - sin * dx);
-                let (bu, bv) = (u + half - 0.5, v + half - 0.5);
-                if bu <= -1.0 || bv <= -1.0 || bu >= CELLS as f32 || bv >= CELLS as f32 {
-                    continue;
+            widest(
+                #[inline(always)]
+                || {
+                    for i in 0..count {
+                        let dx = ((start + i as i32) as f32 - e.x) / cell;
+                        let (u, v) = (cos * dx + sin * dy, cos * dy - sin * dx);
+                        let from = row.turn[i] - angle / std::f32::consts::TAU;
+                        places[i] = Place {
+                            u: u + half - 0.5,
+                            v: v + half - 0.5,
+                            o: (if from < 0.0 { from + 1.0 } else { from }) * BINS as f32,
+                            far: (u * u + v * v) / (2.0 * half * half),
+                        };
+                    }
+                },
+            );
+            for (place, steep) in places[..count].iter().zip(&row.steep) {
+                let (u, v, end) = (place.u, place.v, CELLS as f32);
+                if u > -1.0 && v > -1.0 && u < end && v < end {
+                    spread(&mut padded, place, faded(fading, place.far) * steep);
                 }
-                let weight = faded(fading, (u * u + v * v) / (2.0 * half * half)) * row.steep[i];
-                let from = row.turn[i] - angle / std::f32::consts::TAU;
-                let bo = (if from < 0.0 { from + 1.0 } else { from }) * BINS as f32;
-                spread(&mut padded, bu, bv, bo, weight);
             }
         }
     }
     let mut bins = [0f32; CELLS * CELLS * BINS];
     for (c, bins) in bins.chunks_exact_mut(BINS).enumerate() {
-        let from = ((c / CELLS + 1) * PADDED + c % CELLS + 1) * BINS;
-        bins.copy_from_slice(&padded[from..from + BINS]);
+        bins.copy_from_slice(&padded[(c / CELLS + 1) * PADDED + c % CELLS + 1]);
     }
     let norm = |b: &[f32]| b.iter().map(|x| x * x).sum::<f32>().sqrt().max(1e-12);
     let length = norm(&bins);
@@ -79,18 +90,29 @@ fn chord(sin: f32, cos: f32, dy: f32, reach: f32) -> [f32; 2] {
     [from, to]
 }
 
+/// Where a gradient is among the cells and their bins.
+#[derive(Clone, Copy, Default)]
+struct Place {
+    u: f32,
+    v: f32,
+    o: f32,
+    /// How far from the middle, as it fades.
+    far: f32,
+}
+
 /// Adds a gradient to the eight bins around it.
-fn spread(bins: &mut [f32; PADDED * PADDED * BINS], u: f32, v: f32, o: f32, weight: f32) {
+fn spread(cells: &mut [[f32; BINS]; PADDED * PADDED], place: &Place, weight: f32) {
+    let Place { u, v, o, .. } = *place;
     // Truncation of what is at least -1, moved by one, is the floor.
-    let (u1, v1, o0) = ((u + 1.0) as usize, (v + 1.0) as usize, o as usize);
+    let (u1, v1, o0) = ((u + 1.0) as i32, (v + 1.0) as i32, o as i32);
     let (fu, fv, fo) = (u - (u1 as f32 - 1.0), v - (v1 as f32 - 1.0), o - o0 as f32);
-    let (o0, o1) = (o0 % BINS, (o0 + 1) % BINS);
-    for (du, wu) in [(0, 1.0 - fu), (1, fu)] {
-        for (dv, wv) in [(0, 1.0 - fv), (1, fv)] {
+    let (o0, o1) = (o0 as usize % BINS, (o0 as usize + 1) % BINS);
+    for (dv, wv) in [(0, 1.0 - fv), (1, fv)] {
+        let first = (v1 as usize + dv) * PADDED + u1 as usize;
+        for (cell, wu) in cells[first..first + 2].iter_mut().zip([1.0 - fu, fu]) {
             let weight = weight * wu * wv;
-            let cell = ((v1 + dv) * PADDED + u1 + du) * BINS;
-            bins[cell + o0] += weight * (1.0 - fo);
-            bins[cell + o1] += weight * fo;
+            cell[o0] += weight * (1.0 - fo);
+            cell[o1] += weight * fo;
         }
     }
 }

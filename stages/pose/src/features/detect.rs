@@ -23,6 +23,14 @@ pub struct Extremum {
 
 /// The extrema of an octave with at least this contrast (levels of 255), edges left out.
 pub fn extrema(octave: &Octave, contrast: f32, edge: f32) -> Vec<Extremum> {
+    widest(
+        #[inline(always)]
+        || search(octave, contrast, edge),
+    )
+}
+
+#[inline(always)]
+fn search(octave: &Octave, contrast: f32, edge: f32) -> Vec<Extremum> {
     let blurred = &octave.blurred;
     let (w, h) = (blurred[0].width, blurred[0].height);
     // Three rows of each difference, row y in place y % 3.
@@ -44,10 +52,7 @@ pub fn extrema(octave: &Octave, contrast: f32, edge: f32) -> Vec<Extremum> {
         }
         let middle = y - 1;
         for layer in 1..=INTERVALS {
-            widest(
-                #[inline(always)]
-                || around.look(&d[layer], middle % 3),
-            );
+            around.look(&d[layer], middle % 3);
             let row = &d[layer][middle % 3];
             around.standing_out(row, 0.5 * contrast, |x| {
                 if (5..w - 5).contains(&x) && is_extremum(&d, layer, x, middle, row[x]) {
@@ -88,6 +93,7 @@ impl Around {
     }
 
     /// Calls `see` with the extremes among those, at least so far from 0, left to right.
+    #[inline(always)]
     fn standing_out(&self, row: &[f32], least: f32, mut see: impl FnMut(usize)) {
         /// Columns that are worked on side by side (structural: speed alone).
         const AT_ONCE: usize = 16;

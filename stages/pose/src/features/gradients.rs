@@ -26,8 +26,12 @@ pub fn fading() -> Vec<f32> {
 }
 
 /// Looks up [`fading`]; nothing beyond its end.
+#[inline(always)]
 pub(crate) fn faded(table: &[f32], x: f32) -> f32 {
-    table.get((x * 128.0) as usize).copied().unwrap_or(0.0)
+    table
+        .get((x * 128.0) as u32 as usize)
+        .copied()
+        .unwrap_or(0.0)
 }
 
 /// Pixels of a row that are looked at together (structural: speed alone).
