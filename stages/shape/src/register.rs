@@ -4,7 +4,7 @@
 //! Gauss-Newton steps on shift, roll, gain and bias together, coarse to fine, with Tukey's weights: what
 //! moves and what is lit otherwise has none.
 
-use crate::{Gray, Image, Placed};
+use crate::{Gray, Placed};
 use nalgebra::{SMatrix, SVector};
 
 /// Longest side of the coarsest picture that is laid on another (structural: where a search begins). \[px\]
@@ -70,26 +70,28 @@ pub(crate) fn pyramid(picture: &Gray) -> Vec<Gray> {
 /// Softened by 1 2 1 along both sides: what is between pixels is then nearly linear.
 fn softened(picture: &Gray) -> Gray {
     let (w, h) = (picture.width, picture.height);
-    let along = |from: &Gray, across: bool| {
-        let at = |i: usize| {
-            let (x, y) = (i % w, i / w);
-            let near = |d: i64| {
-                let (u, v) = if across {
-                    ((x as i64 + d).clamp(0, w as i64 - 1) as usize, y)
-                } else {
-                    (x, (y as i64 + d).clamp(0, h as i64 - 1) as usize)
-                };
-                from.at(u, v)
-            };
-            0.25 * (near(-1) + near(1)) + 0.5 * near(0)
-        };
-        Image {
-            width: w,
-            height: h,
-            data: (0..w * h).map(at).collect(),
+    let soft = |before: f32, here: f32, after: f32| 0.25 * (before + after) + 0.5 * here;
+    let mut across = picture.clone();
+    for (to, from) in across
+        .data
+        .chunks_mut(w.max(1))
+        .zip(picture.data.chunks(w.max(1)))
+    {
+        for (to, three) in to[1..].iter_mut().zip(from.windows(3)) {
+            *to = soft(three[0], three[1], three[2]);
         }
-    };
-    along(&along(picture, true), false)
+        to[0] = soft(from[0], from[0], from[1.min(w - 1)]);
+        to[w - 1] = soft(from[w.max(2) - 2], from[w - 1], from[w - 1]);
+    }
+    let mut out = across.clone();
+    for (y, to) in out.data.chunks_mut(w.max(1)).enumerate() {
+        let (before, after) = (across.row(y.max(1) - 1), across.row((y + 1).min(h - 1)));
+        let rows = before.iter().zip(across.row(y)).zip(after);
+        for (to, ((before, here), after)) in to.iter_mut().zip(rows) {
+            *to = soft(*before, *here, *after);
+        }
+    }
+    out
 }
 
 /// Coarse to fine from a first guess at full size.

@@ -3,6 +3,7 @@
 use crate::register::{laid, or_unmoved, pyramid};
 use crate::{Gray, Placed};
 use rayon::prelude::*;
+use stage::machine::widest;
 
 /// Rounds in which all photos of a turn are laid on the median of all (structural: a search's end).
 const ROUNDS: usize = 2;
@@ -17,7 +18,7 @@ pub fn registered(pictures: &[Gray]) -> (Vec<Option<Placed>>, Option<Gray>) {
     let mut reference = first.clone();
     let mut placed = vec![None; all.len()];
     let mut still = None;
-    for _ in 0..ROUNDS {
+    for round in 1..=ROUNDS {
         placed = all
             .par_iter()
             .zip(&placed)
@@ -34,7 +35,9 @@ pub fn registered(pictures: &[Gray]) -> (Vec<Option<Placed>>, Option<Gray>) {
             .filter_map(|(picture, placed)| Some(levelled(picture, placed.as_ref()?)))
             .collect();
         still = median(&shown);
-        reference = pyramid(still.as_ref().unwrap_or(&pictures[0]));
+        if round < ROUNDS {
+            reference = pyramid(still.as_ref().unwrap_or(&pictures[0]));
+        }
     }
     (placed, still)
 }
@@ -71,19 +74,51 @@ fn centred(placed: &mut [Option<Placed>]) {
     }
 }
 
+/// Pixels whose medians are found side by side (structural: whole registers).
+const LANES: usize = 8;
+
 /// The median of each pixel over pictures of one size; `None` without pictures.
 pub fn median(pictures: &[Gray]) -> Option<Gray> {
-    let first = pictures.first()?;
-    let mut out = first.clone();
-    let mut all = vec![0.0; pictures.len()];
-    for (i, value) in out.data.iter_mut().enumerate() {
-        for (a, p) in all.iter_mut().zip(pictures) {
-            *a = p.data[i];
-        }
-        all.sort_by(f32::total_cmp);
-        *value = all[all.len() / 2];
-    }
+    let mut out = pictures.first()?.clone();
+    let blocks = out.data.par_chunks_mut(LANES).enumerate();
+    blocks.for_each_init(
+        || vec![[0; LANES]; pictures.len()],
+        |all, (block, out)| {
+            for (lanes, picture) in all.iter_mut().zip(pictures) {
+                let values = &picture.data[block * LANES..][..out.len()];
+                (lanes.iter_mut().zip(values)).for_each(|(lane, v)| *lane = ordered(v.to_bits()));
+            }
+            let middle = widest(
+                #[inline(always)]
+                || upper_middle(all),
+            );
+            (out.iter_mut().zip(middle)).for_each(|(out, v)| *out = f32::from_bits(v));
+        },
+    );
     Some(out)
+}
+
+/// The upper middle of each lane.
+#[inline(always)]
+fn upper_middle(all: &mut [[i32; LANES]]) -> [u32; LANES] {
+    let mut least = [0; LANES];
+    // The least of all comes first, then the least of the rest.
+    for first in 0..=all.len() / 2 {
+        least = all[first];
+        for other in &mut all[first + 1..] {
+            for l in 0..LANES {
+                (least[l], other[l]) = (least[l].min(other[l]), least[l].max(other[l]));
+            }
+        }
+    }
+    least.map(|v| ordered(v as u32) as u32)
+}
+
+/// Bits of a number as a whole number of the same order ([`f32::total_cmp`]), and back.
+#[inline(always)]
+fn ordered(bits: u32) -> i32 {
+    let bits = bits as i32;
+    bits ^ (((bits >> 31) as u32) >> 1) as i32
 }
 
 #[cfg(test)]
