@@ -1,6 +1,6 @@
 //! The edge of a turning disk: its rim is round, so that it projects to one fixed ellipse.
 
-use crate::frame::disk_exact::{NEAR, exact};
+use crate::frame::disk_exact::{NEAR, exact, is_far};
 use nalgebra::{Point3, Vector2, Vector3};
 use shape::{Camera, Gray};
 
@@ -133,13 +133,16 @@ fn climbed(
     (z, r, contrast)
 }
 
-/// Whether a circle has a step of one sign nearly all around.
+/// Whether a circle has a step of one sign nearly all around its near side, and of one nearly all around the rest.
 fn is_all_around(gray: &Gray, camera: &Camera, (z, r, contrast): Circle) -> bool {
-    let Some(mut steps) = steps_around(gray, camera, (z, r), NEAR) else {
+    let Some(steps) = steps_around(gray, camera, (z, r), NEAR) else {
         return false;
     };
-    let way = steps.iter().sum::<f64>().signum();
-    steps.iter_mut().for_each(|s| *s *= way);
+    let ways = sums(&steps).map(f64::signum);
+    let mut steps: Vec<f64> = steps
+        .iter()
+        .map(|(far, s)| s * ways[usize::from(*far)])
+        .collect();
     steps.sort_by(f64::total_cmp);
     steps[steps.len() / 4] > LEAST_QUARTER_SHARE * contrast
 }
@@ -173,20 +176,29 @@ fn between(
     peaks.iter().find_map(sharp)
 }
 
-/// Mean step of brightness outwards over the half of the edge that faces the camera, its size.
+/// Mean step of brightness outwards along the edge, its size: beyond the near side is the disk's own side, beyond the far
+/// one the floor, which may be darker and brighter than the disk.
 fn step(gray: &Gray, camera: &Camera, circle: (f64, f64), beside: f64) -> Option<f64> {
     let all = steps_around(gray, camera, circle, beside)?;
-    Some((all.iter().sum::<f64>() / all.len() as f64).abs())
+    let size: f64 = sums(&all).iter().map(|sum| sum.abs()).sum();
+    Some(size / all.len() as f64)
 }
 
-/// Steps of brightness outwards along the half of the edge that faces the camera. `None` where most
-/// of it is not on the picture.
+/// A step of brightness outwards, and whether it is on the far side.
+type Step = (bool, f64);
+
+/// The sums of the steps of the near side and of the far one.
+fn sums(steps: &[Step]) -> [f64; 2] {
+    [false, true].map(|far| steps.iter().filter(|s| s.0 == far).map(|s| s.1).sum())
+}
+
+/// Steps of brightness outwards along the edge. `None` where most of it is not on the picture.
 fn steps_around(
     gray: &Gray,
     camera: &Camera,
     (height, radius): (f64, f64),
     beside: f64,
-) -> Option<Vec<f64>> {
+) -> Option<Vec<Step>> {
     let centre = camera.centre();
     let towards = libm::atan2(centre.y, centre.x);
     let mut steps = Vec::with_capacity(AROUND);
@@ -203,7 +215,7 @@ fn steps_around(
         let across = Vector2::new(along.y, -along.x);
         let value = |s: f64| light(gray, at.x + across.x * s, at.y + across.y * s);
         if let (Some(out), Some(inside)) = (value(beside), value(-beside)) {
-            steps.push(out - inside);
+            steps.push((is_far(camera, radius, angle), out - inside));
         }
     }
     (steps.len() > AROUND * 2 / 3).then_some(steps)
@@ -223,73 +235,4 @@ fn light(gray: &Gray, x: f64, y: f64) -> Option<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use nalgebra::Rotation3;
-    use shape::{Intrinsics, Pose};
-
-    /// A camera, and what it sees: on a dark floor a brighter disk of radius 210.
-    fn seen(bright: f32) -> (Camera, Gray) {
-        let camera = Camera {
-            lens: Intrinsics::simple(400, 300, 500.0),
-            pose: Pose {
-                rotation: Rotation3::from_euler_angles(2.0, 0.0, 0.0),
-                translation: Vector3::new(5.0, 60.0, 1000.0),
-            },
-        };
-        let mut gray = Gray::filled(400, 300, 0.0);
-        for y in 0..300 {
-            for x in 0..400 {
-                let ray = camera.ray([x as f64, y as f64].into());
-                let c = camera.centre();
-                let at = c + *ray * ((-40.0 - c.z) / ray.z);
-                let lit = libm::hypot(at.x, at.y) < 210.0;
-                *gray.at_mut(x, y) = if lit { bright } else { 60.0 };
-            }
-        }
-        (camera, gray)
-    }
-
-    #[test]
-    fn a_bright_disk_on_a_dark_floor_is_found() {
-        let (camera, gray) = seen(180.0);
-        let found =
-            disk_edge(&gray, &camera, [-150.0, 80.0], [100.0, 300.0], &|_, _| true).unwrap();
-        proof::near(found.radius, 210.0, 2.0);
-        proof::near(found.height, -40.0, 3.0);
-    }
-
-    #[test]
-    fn what_is_on_the_disk_within_its_edge_is_not_the_edge() {
-        let (camera, mut gray) = seen(130.0);
-        let from = camera.centre();
-        for (y, x) in (0..300).flat_map(|y| (0..400).map(move |x| (y, x))) {
-            let ray = camera.ray([x as f64, y as f64].into());
-            let at = from + *ray * ((-40.0 - from.z) / ray.z);
-            if libm::hypot(at.x, at.y) < 190.0 {
-                *gray.at_mut(x, y) = 240.0;
-            }
-        }
-        let edge = |least| {
-            disk_edge(&gray, &camera, [-44.0, -39.0], [100.0, 300.0], &|_, r| {
-                r >= least
-            })
-            .unwrap()
-        };
-        proof::near(edge(0.0).radius, 190.0, 2.0);
-        proof::near(edge(194.0).radius, 210.0, 2.0);
-    }
-
-    #[test]
-    fn where_a_wall_meets_the_floor_is_no_disk() {
-        let (camera, mut gray) = seen(100.0);
-        let far = (0..300).find(|y| gray.at(200, *y) > 80.0).unwrap();
-        for (y, x) in (0..far - 12).flat_map(|y| (0..400).map(move |x| (y, x))) {
-            *gray.at_mut(x, y) = 220.0;
-        }
-        let found =
-            disk_edge(&gray, &camera, [-150.0, 150.0], [60.0, 300.0], &|_, _| true).unwrap();
-        proof::near(found.radius, 210.0, 3.0);
-        proof::near(found.height, -40.0, 4.0);
-    }
-}
+mod tests;

@@ -27,6 +27,7 @@ const LEAST_SIGMA_PX: f64 = 0.1;
 /// An arc of the circle: light across it, outwards, and by how much it would move there were the circle higher and wider
 /// by one.
 struct Arc {
+    far: bool,
     profile: Profile,
     by_height: f64,
     by_radius: f64,
@@ -43,8 +44,14 @@ pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<
         let arcs: Vec<Arc> = (0..ARCS)
             .filter_map(|k| arc(gray, camera, (z, r), k))
             .collect();
-        let brighter = arcs.iter().map(|a| a.profile.change(NEAR)).sum::<f64>() > 0.0;
-        let edge = |a: &Arc| Some((a.profile.edge(brighter)?, a.by_height, a.by_radius));
+        let brighter = [false, true].map(|far| {
+            let of = arcs.iter().filter(|a| a.far == far);
+            of.map(|a| a.profile.change(NEAR)).sum::<f64>() > 0.0
+        });
+        let edge = |a: &Arc| {
+            let off = a.profile.edge(brighter[usize::from(a.far)])?;
+            Some((off, a.by_height, a.by_radius))
+        };
         let edges: Vec<Edge> = arcs.iter().filter_map(edge).collect();
         if edges.len() < LEAST_ARCS {
             return None;
@@ -53,6 +60,13 @@ pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<
         (z, r) = (z + dz, r + dr);
     }
     Some((z, r))
+}
+
+/// Whether an edge at an angle is on the far side of a disk, whose own side is hidden behind it.
+pub(super) fn is_far(camera: &Camera, radius: f64, angle: f64) -> bool {
+    let (sin, cos) = libm::sincos(angle);
+    let centre = camera.centre();
+    centre.x * cos + centre.y * sin < radius
 }
 
 /// One arc of the part that the camera sees, a little more than half.
@@ -90,7 +104,9 @@ fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> 
             *sum += f64::from(gray.sample(px.x as f32, px.y as f32)) / LINES as f64;
         }
     }
+    let middle = (k as f64 + 0.5) / ARCS as f64;
     Some(Arc {
+        far: is_far(camera, radius, towards + (middle - 0.5) * 4.0),
         profile,
         by_height: by_height / LINES as f64,
         by_radius: by_radius / LINES as f64,

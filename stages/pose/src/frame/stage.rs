@@ -81,7 +81,7 @@ stage::failures! {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 16;
+    const VERSION: u32 = 17;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
