@@ -15,7 +15,7 @@ const CONSTANTS_BY_HAND: [ByHand; 12] = [
     ("follow", [0, 10]),
     ("hull", [2, 1]),
     ("io", [0, 4]),
-    ("measure", [49, 20]),
+    ("measure", [66, 1]),
     ("person", [2, 0]),
     ("pose", [4, 53]),
     ("refine", [1, 1]),

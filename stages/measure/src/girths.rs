@@ -14,7 +14,7 @@ use crate::uncertainty::contradicted::Outlines;
 use crate::uncertainty::covered::Covers;
 use crate::uncertainty::edges::{Edges, Unseen};
 use crate::uncertainty::interval::{Level, level_spread};
-use crate::uncertainty::outlines::{Borders, by_silhouettes, open_mm};
+use crate::uncertainty::outlines::{by_silhouettes, open_mm};
 use crate::uncertainty::reported::{Seen, Sure};
 use shape::{
     BodyFeatures, BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh,
@@ -83,7 +83,7 @@ const REMESHED: f64 = 0.045;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 49;
+    const VERSION: u32 = 50;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -113,7 +113,7 @@ impl Stage for Measure {
             match taken(mesh, body, landmark) {
                 Ok(here) => {
                     let by = (outlines.as_ref(), hem, &covers, edges.as_ref());
-                    let seen = seen(body, landmark, &here, &input, by);
+                    let seen = seen(body, (landmark, p.hull), &here, &input, by);
                     all.push((landmark, here, seen));
                 }
                 Err(reason) => refuse(landmark, (reason, None), &mut girths),
@@ -217,7 +217,7 @@ fn lost(input: &GirthInput, landmark: &Landmark) -> Option<Message> {
 /// What outlines tell of a section.
 fn seen(
     body: Option<&Body>,
-    landmark: &Landmark,
+    (landmark, hull): (&Landmark, bool),
     here: &SectionMeasurement,
     input: &GirthInput,
     (outlines, hem, covers, edges): (Option<&Outlines>, Option<Hem>, &Covers, Option<&Edges>),
@@ -228,7 +228,7 @@ fn seen(
     let (cameras, masks) = (input.cameras.as_deref(), input.masks.as_deref());
     let (Some(body), Some((cameras, masks))) = (body, cameras.zip(masks)) else {
         return Seen {
-            borders: Borders::Hidden,
+            outline: None,
             // A surface that no photos made has no corners of theirs.
             open_mm: cameras.is_none().then_some(0.0),
             left_out_mm: 0.0,
@@ -238,7 +238,7 @@ fn seen(
         };
     };
     Seen {
-        borders: by_silhouettes(body, landmark, here, cameras, masks),
+        outline: by_silhouettes(body, (landmark, hull), here, cameras, masks),
         open_mm: Some(open_mm(body, landmark, here, cameras)),
         left_out_mm: outlines.map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
         unseen: edges.map_or(Unseen::default(), |all| {
@@ -249,26 +249,35 @@ fn seen(
     }
 }
 
-/// What is known of the surface's error; how far it is off the silhouettes' girths is an even
-/// error along its normal.
+/// What is known of the surface's error; how far it is off the silhouettes' girths, the surer of them first, is an even error
+/// along its normal.
 fn sure<'a>(
     p: &GirthParams,
     input: &'a GirthInput,
     all: &[(&Landmark, SectionMeasurement, Seen)],
 ) -> Sure<'a> {
-    let off: Vec<f64> = all
-        .iter()
-        .filter_map(|(_, here, s)| Some((here.tape_mm - s.borders.around()?.girth) / TAU))
-        .collect();
-    let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
     let even = match input.masks {
         Some(_) => CARVED_EDGES,
         None => REMESHED,
     };
+    let surface_mm = libm::hypot(p.surface_mm, even * input.mesh.mean_edge());
+    let (mut square, mut weights) = (0.0, 0.0);
+    for (_, here, seen) in all {
+        if let Some(outline) = seen.outline {
+            let [off, sigma] = [here.tape_mm - outline.girth, outline.sigma].map(|mm| mm / TAU);
+            let weight = 1.0 / (sigma * sigma + surface_mm * surface_mm).max(1e-12);
+            square += weight * off * off;
+            weights += weight;
+        }
+    }
     Sure {
         mesh: &input.mesh,
-        surface_mm: libm::hypot(p.surface_mm, even * input.mesh.mean_edge()),
-        off_mm: square.sqrt(),
+        surface_mm,
+        off_mm: if weights > 0.0 {
+            (square / weights).sqrt()
+        } else {
+            0.0
+        },
         cameras: input.cameras.as_deref(),
         hull: p.hull,
         widest: p.widest_pct / 100.0,

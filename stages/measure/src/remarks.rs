@@ -130,7 +130,6 @@ fn refused(girths: &Girths) -> Vec<Message> {
 mod tests {
     use super::*;
     use crate::uncertainty::edges::Unseen;
-    use crate::uncertainty::outlines::Borders;
     use shape::{GirthId, Part, Photo, Plane, Side, Split};
 
     #[test]
@@ -140,7 +139,7 @@ mod tests {
             normal: [0.0, 0.0, 1.0],
         };
         let seen = |photos: &[u32], tape_mm: f64| Seen {
-            borders: Borders::Hidden,
+            outline: None,
             open_mm: None,
             left_out_mm: 0.0,
             unseen: Unseen {

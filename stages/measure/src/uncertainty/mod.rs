@@ -6,6 +6,7 @@ pub(crate) mod covered;
 pub(crate) mod edges;
 pub(crate) mod interval;
 pub(crate) mod outlines;
+pub(crate) mod periodic;
 pub(crate) mod places;
 pub(crate) mod reported;
 pub(crate) mod silhouette;
