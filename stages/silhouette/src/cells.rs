@@ -101,8 +101,8 @@ impl Block {
             // A cube's outline reaches a little further than half of its edge.
             let r = 0.6 * self.cell * camera.lens.focal[0] / depth;
             let range = |c: f64, size: usize| {
-                let from = (c - r).ceil().max(0.0) as usize;
-                let to = ((c + r).floor() + 1.0).clamp(0.0, size as f64) as usize;
+                let within = |at: f64| at.clamp(0.0, size as f64) as usize;
+                let (from, to) = (within((c - r).ceil()), within((c + r).floor() + 1.0));
                 from..to.max(from)
             };
             for y in range(px.y, height) {
@@ -179,4 +179,28 @@ fn filled(shown: Image<bool>) -> Image<bool> {
         }
     }
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shape::Intrinsics;
+
+    #[test]
+    fn a_cell_beside_a_photos_last_row_shows_nothing() {
+        let from = Point3::new(0.0, -1000.0, 0.0);
+        let lens = Intrinsics::simple(40, 30, 100.0);
+        let camera = Camera::looking(lens, from, Point3::origin());
+        let shown = |x: f64| {
+            let block = Block {
+                corner: Point3::new(x, 0.0, -150.0),
+                cell: 20.0,
+                count: [1; 3],
+            };
+            let all = block.shown(&[true], &camera, 40, 30).data;
+            all.into_iter().filter(|pixel| *pixel).count()
+        };
+        assert!(shown(0.0) > 0 && shown(190.0) > 0);
+        assert_eq!([shown(300.0), shown(-300.0)], [0, 0]);
+    }
 }
