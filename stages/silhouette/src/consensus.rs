@@ -10,7 +10,8 @@ use shape::{Camera, Cameras, Mask, PhotoId};
 const MAX_CELLS_ALONG: f64 = 210.0;
 /// Least edge of a cell on the masks (structural: a smaller one shows no more than pixels do). \[px\]
 const MIN_CELL_PX: f64 = 2.0;
-/// Photos that may dissent: one is the photo in question, one more may be wrong. By hand: not on record.
+/// Photos that may dissent: one is the photo in question, one more may be wrong. By hand:
+/// looked at three scenes (158 with a plate, 160 and 170 without), at 1 and 3: mean IoU −0.0001 and +0.0000 at most.
 pub(crate) const DISSENT: u8 = 2;
 /// Cells around all that is shown (structural).
 const MARGIN: f64 = 4.0;

@@ -20,7 +20,7 @@ pub(crate) struct FloorCut {
 }
 
 /// Strict cells lack a rim: the section is wider by so many, and as many layers above the plane are estimated by it alone.
-/// By hand: not on record.
+/// By hand: looked at a walk (asclepius), at 1 and 3: mean IoU +0.0047 and −0.0050.
 const RIM_CELLS: usize = 2;
 /// A pixel belongs to the section where its smoothed cells reach this (structural: half of them).
 const INSIDE_SHARE: f64 = 0.5;

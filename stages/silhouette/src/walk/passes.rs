@@ -29,7 +29,8 @@ const OUTLINES: Belief = Belief {
     misled: 0.001,
     behind: 0.9,
 };
-/// So many times more cells along the greatest side than at first. By hand: not on record.
+/// So many times more cells along the greatest side than at first. By hand: looked at a walk
+/// (asclepius), at 0.7 and 1.4 of it: mean IoU −0.0056 and +0.0072.
 const FINER_FACTOR: f64 = 1.25;
 
 /// Outlines, with what they share with those of the pass before.

@@ -27,11 +27,14 @@ pub(crate) struct Space {
     pub(crate) floor: Option<f64>,
 }
 
-/// Least share of the photos that see the space sideways, and up and down, as each cell. By hand: not on record.
+/// Least share of the photos that see the space sideways, and up and down, as each cell.
+/// By hand: looked at a walk (asclepius), at 0.7 of it: no result, for a fault that is mended since.
 pub(crate) const SEEN_SHARES: [f64; 2] = [0.95, 0.3];
-/// A floor is at least so much of the reach below where cameras look. By hand: not on record.
+/// A floor is at least so much of the reach below where cameras look.
+/// By hand: looked at a walk (asclepius), at 0.7 and 1.4 of it: nothing changes.
 const BELOW_SHARE: f64 = 0.05;
-/// What is within so much of the reach is likely the subject's. By hand: not on record.
+/// What is within so much of the reach is likely the subject's.
+/// By hand: looked at a walk (asclepius), at 0.7 and 1.4 of it: mean IoU −0.1526 and −0.0064.
 const AMID_SHARE: f64 = 0.5;
 /// Points around the axis that are looked at (structural: samples).
 const AROUND_POINTS: usize = 16;

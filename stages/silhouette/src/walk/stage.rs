@@ -30,7 +30,8 @@ stage::inputs! {
 /// `silhouette.walk`: photos, cameras, tracks → masks.
 pub struct Walk;
 
-/// Fewest photos that distinguish a subject from its background. By hand: not on record.
+/// Fewest photos that distinguish a subject from its background.
+/// By hand: looked at a walk (asclepius) of 25 photos, at 4 and 8: nothing changes.
 const FEWEST_PHOTOS: usize = 6;
 
 impl Stage for Walk {

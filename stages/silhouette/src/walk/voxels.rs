@@ -57,7 +57,7 @@ pub(crate) fn evidence(
     (0..block.len()).into_par_iter().map(one).collect()
 }
 
-/// No evidence counts for more. By hand: not on record. \[nats\]
+/// No evidence counts for more. By hand: looked at a walk (asclepius), at 0.7 and 1.4 of it: nothing changes. \[nats\]
 const MOST_NATS: f32 = 40.0;
 
 /// The cells that are the subject: least sum of the evidence against each and of what it
