@@ -1,14 +1,14 @@
 //! A periodic cubic smoothing spline, its mean, and how sure that is: between values it is as unsure as it bends where they are.
 //!
 //! Harmonic k of a function with such a prior has a variance of s²/k⁴ (Wahba 1990, Spline Models for Observational Data, 2.1);
-//! its posterior is the spline, and its posterior deviation covers as often as it promises (Wahba 1983). How much the values
-//! scatter and how much the function bends is not known: both are integrated over by their restricted likelihood.
+//! its posterior is the spline, and its posterior deviation covers as often as it promises (Wahba 1983). How much the function bends
+//! against what values scatter is not known: that ratio is summed over by its restricted likelihood.
 
 use nalgebra::{DMatrix, DVector};
 
 /// Harmonics of the function (structural: the variance of what is left out is a ten-thousandth of the first one's).
 const HARMONICS: usize = 10;
-/// Values' variance as a share of the first harmonic's: from, to, and steps of a decade that are summed over (structural: from a
+/// Values' variance as a share of the first harmonic's: from, to, and how many are summed over (structural: from a
 /// function that bends a hundred times as much as values scatter to one that is as good as even).
 const RATIOS: ([f64; 2], usize) = ([1e-4, 1e4], 17);
 
@@ -22,7 +22,7 @@ pub(crate) struct Spline {
     pub(crate) left: Vec<f64>,
 }
 
-/// Lays a spline on values at angles \[rad\], each with a weight. `None` of fewer than two values.
+/// Lays a spline on values at angles \[rad\], each with a weight. `None` of fewer than two values, or if one is not finite.
 pub(crate) fn spline(angles: &[f64], values: &[f64], weights: &[f64]) -> Option<Spline> {
     let n = angles.len();
     if n < 2 {
@@ -43,7 +43,11 @@ pub(crate) fn spline(angles: &[f64], values: &[f64], weights: &[f64]) -> Option<
         .map(|i| i as f64 / (RATIOS.1 - 1) as f64)
         .map(|t| libm::exp(decades[0] + t * (decades[1] - decades[0])))
         .filter_map(|ratio| likely(&normal, &right, (square, n), ratio))
+        .filter(|l| l.fit[0].is_finite())
         .collect();
+    if likely.is_empty() {
+        return None;
+    }
     let best = likely.iter().map(|l| l.log).fold(f64::MIN, f64::max);
     let shares: Vec<f64> = likely.iter().map(|l| libm::exp(l.log - best)).collect();
     let all: f64 = shares.iter().sum();
@@ -159,5 +163,8 @@ mod tests {
         let of = spline(&angles, &values, &[1.0; 24]).unwrap();
         proof::near(of.mean, 2.0, 1e-6);
         assert!(of.left.iter().all(|e| e.abs() < 0.01) && of.sigma < 0.01);
+        let nothing = vec![f64::NAN; 24];
+        assert!(spline(&nothing, &values, &[1.0; 24]).is_none());
+        assert!(spline(&angles, &nothing, &[1.0; 24]).is_none());
     }
 }
