@@ -1,6 +1,6 @@
 //! The edge of a turning disk: its rim is round, so that it projects to one fixed ellipse.
 
-use crate::frame::disk_exact::{NEAR, exact, is_far};
+use crate::frame::disk_exact::{NEAR, angle, exact, is_far};
 use nalgebra::{Point3, Vector2, Vector3};
 use shape::{Camera, Gray};
 
@@ -199,12 +199,9 @@ fn steps_around(
     (height, radius): (f64, f64),
     beside: f64,
 ) -> Option<Vec<Step>> {
-    let centre = camera.centre();
-    let towards = libm::atan2(centre.y, centre.x);
     let mut steps = Vec::with_capacity(AROUND);
     for k in 0..AROUND {
-        // A little more than half of it: beside the subject the far edge shows too.
-        let angle = towards + (k as f64 / (AROUND - 1) as f64 - 0.5) * 4.0;
+        let angle = angle(camera, k as f64 / (AROUND - 1) as f64);
         let (sin, cos) = libm::sincos(angle);
         let at = camera.project(&Point3::new(radius * cos, radius * sin, height))?;
         let ahead = camera.project(&Point3::from(

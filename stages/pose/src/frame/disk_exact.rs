@@ -62,6 +62,13 @@ pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<
     Some((z, r))
 }
 
+/// The angle about the axis at a share of the part of an edge that is looked at, a little more than the half towards the camera:
+/// beside the subject the far edge shows, too.
+pub(super) fn angle(camera: &Camera, share: f64) -> f64 {
+    let centre = camera.centre();
+    libm::atan2(centre.y, centre.x) + (share - 0.5) * 4.0
+}
+
 /// Whether an edge at an angle is on the far side of a disk, whose own side is hidden behind it.
 pub(super) fn is_far(camera: &Camera, radius: f64, angle: f64) -> bool {
     let (sin, cos) = libm::sincos(angle);
@@ -69,10 +76,8 @@ pub(super) fn is_far(camera: &Camera, radius: f64, angle: f64) -> bool {
     centre.x * cos + centre.y * sin < radius
 }
 
-/// One arc of the part that the camera sees, a little more than half.
+/// One arc of the part that is looked at.
 fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> Option<Arc> {
-    let centre = camera.centre();
-    let towards = libm::atan2(centre.y, centre.x);
     let count = ((OUTWARDS_PX + INWARDS_PX) / STEP) as usize + 1;
     let mut profile = Profile {
         first: -INWARDS_PX,
@@ -83,7 +88,7 @@ fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> 
     let small = 0.01 * radius;
     for line in 0..LINES {
         let place = (k * LINES + line) as f64 / (ARCS * LINES - 1) as f64;
-        let angle = towards + (place - 0.5) * 4.0;
+        let angle = angle(camera, place);
         let project = |r: f64, turn: f64, z: f64| {
             let (sin, cos) = libm::sincos(angle + turn);
             camera.project(&Point3::new(r * cos, r * sin, z))
@@ -106,7 +111,7 @@ fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> 
     }
     let middle = (k as f64 + 0.5) / ARCS as f64;
     Some(Arc {
-        far: is_far(camera, radius, towards + (middle - 0.5) * 4.0),
+        far: is_far(camera, radius, angle(camera, middle)),
         profile,
         by_height: by_height / LINES as f64,
         by_radius: by_radius / LINES as f64,
