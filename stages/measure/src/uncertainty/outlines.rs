@@ -1,7 +1,6 @@
 //! Silhouette girths of level sections, and what photos and cameras show of the surface's error.
 
 use crate::features::body::Body;
-use crate::geometry::slices::Ring;
 use crate::sections::one::SectionMeasurement;
 use crate::uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 use crate::uncertainty::unobserved::{clear_sights, unconfirmed};
@@ -24,7 +23,6 @@ pub(crate) fn by_silhouettes(
     }
     let origin = crate::geometry::section::centre(&taken.contour);
     let beside = limbs(body, landmark.plane.point_mm[2], &taken.contour, origin);
-    let beside: Vec<&[Point3<f64>]> = beside.iter().map(|r| r.curve.as_slice()).collect();
     let views: Vec<_> = cameras
         .views
         .iter()
@@ -57,14 +55,20 @@ fn is_whole(landmark: &Landmark, taken: &SectionMeasurement) -> bool {
 
 /// Arms and hands beside a section at a height: the other rings of the slice. Legs joined in this
 /// ring are part of it.
-fn limbs<'a>(body: &'a Body, z: f64, curve: &[Point3<f64>], origin: Point3<f64>) -> Vec<&'a Ring> {
+fn limbs<'a>(
+    body: &'a Body,
+    z: f64,
+    curve: &[Point3<f64>],
+    origin: Point3<f64>,
+) -> Vec<&'a [Point3<f64>]> {
     let inside = |p: &Point3<f64>| (p - origin).xy().norm();
     let reach = curve.iter().map(inside).fold(0.0, f64::max);
     let rings = body
         .slice(z)
         .into_iter()
         .flat_map(|s| s.rings.iter().skip(1));
-    rings.filter(|r| inside(&r.centre) > 0.5 * reach).collect()
+    let apart = rings.filter(|r| inside(&r.centre) > 0.5 * reach);
+    apart.map(|r| r.curve.as_slice()).collect()
 }
 
 /// How much of a section's tape no photo's outline confirms, see [`unconfirmed`]. \[mm\]
@@ -79,8 +83,7 @@ pub(crate) fn open_mm(
     }
     let z = landmark.plane.point_mm[2];
     let origin = crate::geometry::section::centre(&taken.contour);
-    let level = limbs(body, z, &taken.contour, origin);
-    let beside: Vec<&[Point3<f64>]> = level.iter().map(|r| r.curve.as_slice()).collect();
+    let beside = limbs(body, z, &taken.contour, origin);
     let sights = |eye: Point3<f64>| clear_sights(&taken.contour, &beside, origin, eye);
     let eyes = cameras.views.values().map(|v| v.camera.centre());
     let flat: Vec<[f64; 2]> = taken.contour.iter().map(|p| [p.x, p.y]).collect();

@@ -139,9 +139,8 @@ pub fn support_girth(
     let mut weights = vec![1.0; n];
     let mut fit = spline(&angles, &off, &weights)?;
     for _ in 0..ROUNDS {
-        let mut sizes: Vec<f64> = fit.left.iter().map(|e| e.abs()).collect();
-        sizes.sort_by(f64::total_cmp);
-        let limit = (1.5 * 1.4826 * sizes[n / 2]).max(0.05);
+        let middle = shape::upper_median(fit.left.iter().map(|e| e.abs()))?;
+        let limit = (1.5 * 1.4826 * middle).max(0.05);
         for (weight, e) in weights.iter_mut().zip(&fit.left) {
             *weight = (limit / e.abs().max(1e-12)).min(1.0);
         }
