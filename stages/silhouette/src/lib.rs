@@ -39,7 +39,7 @@
 //! | | … with the noise of that photo, which makes the density thinner by 3 ln σ | `likelihood/noise.rs` |
 //! | | … also the grain of disk, floor and walls: what a window leaves at the best light | `likelihood/grain.rs`, `grain/in_photo.rs`, `grain/window.rs` |
 //! | | … where a glossy disk mirrors the body: the less of the disk as it is, and with a share of the body's light | `likelihood/mirror.rs` |
-//! | | … where nobody saw the scene: colours of the scene beside, at full size, too, of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
+//! | | … where nobody saw the scene: colours of the scene beside, at full size, too, of the scene and of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
 //! | both | … and the log-odds of a learned sense of a person, on the side that they speak against | `likelihood/person.rs` |

@@ -10,7 +10,9 @@ use crate::raster::{as_mask, raster};
 
 use crate::likelihood::body::{EVIDENT, STRANGE, body_cost};
 use crate::likelihood::colors_beside::Nearby;
-use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
+use crate::likelihood::disk_colors::{
+    body_colors, colors_of, cost_elsewhere, disk_colors, mixture, on_the_disk,
+};
 use crate::likelihood::floor::Floor;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grain::missed;
@@ -85,11 +87,12 @@ struct Turn<'a> {
 }
 
 impl Turn<'_> {
-    /// The photos made ready: what each pixel costs as background, as disk, or as a colour of the scene beside.
+    /// The photos made ready: what each pixel costs as background, or by colours of the scene, beside it or elsewhere.
     fn ready(&self, backdrop: &Backdrop, covered: &[Image<bool>]) -> Vec<Prepared> {
         let (shots, radius) = (self.shots, self.radius);
         let around = scene(shots, backdrop.clone(), radius, covered);
         let of_disk = disk_colors(&around.disk, 0.0);
+        let of_scene = colors_of(&around.still);
         let nearby = Nearby::of(&around.still);
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
         for (ready, person) in ready.iter_mut().zip(self.people) {
@@ -104,10 +107,12 @@ impl Turn<'_> {
                 }
                 let color = shot.small.data[i];
                 if shot.shows_disk(i, radius) {
-                    let as_disk = disk_cost(of_disk.as_ref(), color);
+                    let as_disk = cost_elsewhere(of_disk.as_ref(), color);
                     ready.cost[i] = ready.cost[i].min(as_disk);
-                } else if let Some(cost) = nearby.cost(&shot.small, i) {
-                    ready.cost[i] = ready.cost[i].min(cost);
+                } else {
+                    let beside = nearby.cost(&shot.small, i).unwrap_or(UNSEEN);
+                    let elsewhere = cost_elsewhere(of_scene.as_ref(), color);
+                    ready.cost[i] = ready.cost[i].min(beside).min(elsewhere);
                 }
             }
         });

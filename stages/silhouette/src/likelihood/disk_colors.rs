@@ -1,4 +1,4 @@
-//! Body or disk, by colour alone: a first guess where the disk turns below the feet.
+//! Body or background, by colour alone: a first guess where the disk turns below the feet, or nobody saw the scene.
 
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::UNSEEN;
@@ -21,9 +21,16 @@ const RIM_SHARE: f64 = 0.6;
 /// at three scenes (158 with a plate, 160 and 170 without), at 0.7 and 1.4 of it: mean IoU +0.0003 and +0.0005 at most. \[levels\]
 const OFF_LEVELS: u32 = 90;
 
-/// What a colour costs as the disk's where nobody saw it: as one of its colours elsewhere.
-pub(crate) fn disk_cost(disk: Option<&Gmm>, color: [u8; 3]) -> f32 {
-    disk.map_or(UNSEEN, |disk| disk.cost(color) as f32 + ELSEWHERE_NATS)
+/// What a colour costs as the disk's or the scene's where nobody saw them: as one of their colours elsewhere.
+pub(crate) fn cost_elsewhere(seen: Option<&Gmm>, color: [u8; 3]) -> f32 {
+    seen.map_or(UNSEEN, |seen| seen.cost(color) as f32 + ELSEWHERE_NATS)
+}
+
+/// The colours of a scene where it was seen.
+pub(crate) fn colors_of(scene: &Backdrop) -> Option<Gmm> {
+    let pixels = scene.seen.data.iter().zip(&scene.image.data);
+    let seen: Vec<[u8; 3]> = pixels.filter(|(s, _)| **s).map(|(_, c)| *c).collect();
+    mixture(&seen)
 }
 
 /// Some colours at most, spread evenly, as a mixture.
@@ -92,4 +99,35 @@ pub(crate) fn on_the_disk(
         }
     };
     shots.par_iter().map(covers).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::likelihood::body::ANY_COLOR;
+    use shape::Rgb;
+
+    #[test]
+    fn a_wall_that_is_seen_elsewhere_explains_its_colour_and_no_other() {
+        let mut dice = proof::Dice(5);
+        let mut noisy = |color: [f64; 3]| color.map(|v| (v + dice.normal()).round() as u8);
+        let (wall, painting) = ([160.0, 160.0, 158.0], [40.0, 90.0, 160.0]);
+        let mut image = Rgb::filled(50, 40, [0; 3]);
+        let frame = |i: usize| i % 50 >= 20;
+        for (i, p) in image.data.iter_mut().enumerate() {
+            *p = noisy(if frame(i) { painting } else { wall });
+        }
+        let mut scene = Backdrop::whole(image);
+        // All that is beside a gap in the painting is painting.
+        (0..2000)
+            .filter(|i| i % 50 >= 40)
+            .for_each(|i| scene.seen.data[i] = false);
+        let seen = colors_of(&scene);
+        let cost =
+            |color: [f64; 3]| f64::from(cost_elsewhere(seen.as_ref(), color.map(|v| v as u8)));
+        assert!(cost(wall) < ANY_COLOR - 5.0 && cost(painting) < ANY_COLOR - 5.0);
+        assert!(cost([150.0, 100.0, 80.0]) > ANY_COLOR);
+        scene.seen.data.fill(false);
+        assert_eq!(cost_elsewhere(colors_of(&scene).as_ref(), [160; 3]), UNSEEN);
+    }
 }
