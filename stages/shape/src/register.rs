@@ -5,7 +5,10 @@
 //! moves and what is lit otherwise has none.
 
 use crate::{Gray, Placed};
-use nalgebra::{SMatrix, SVector};
+use stage::machine::widest;
+use step::{Sums, residuals, sums};
+
+mod step;
 
 /// Longest side of the coarsest picture that is laid on another (structural: where a search begins). \[px\]
 const COARSEST: usize = 100;
@@ -130,49 +133,23 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
     if w.min(h) < 2 * rim + 8 {
         return None;
     }
-    let mut residuals = Vec::new();
-    let places = || {
-        (rim..h - rim)
-            .step_by(every)
-            .flat_map(move |y| (rim..w - rim).step_by(every).map(move |x| (x, y)))
-    };
-    for (x, y) in places() {
-        let at = from.of([x as f64, y as f64], [w, h]);
-        let seen = f64::from(picture.sample(at[0] as f32, at[1] as f32));
-        residuals.push(seen - from.gain * f64::from(other.at(x, y)) - from.bias);
-    }
+    let residuals = widest(
+        #[inline(always)]
+        || residuals([picture, other], from, (rim, every)),
+    );
     let mut far: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
     let quiet = (far.len() as f64 * QUIET_SHARE) as usize;
     let (_, quiet, _) = far.select_nth_unstable_by(quiet, f64::total_cmp);
     let bound = BOUND * (*quiet / QUIET_SIGMAS).max(LEAST_NOISE_LEVELS);
-    let middle = [(w as f64 - 1.0) / 2.0, (h as f64 - 1.0) / 2.0];
-    let half = libm::hypot(middle[0], middle[1]);
-    let (mut normal, mut right) = (SMatrix::<f64, 5, 5>::zeros(), SVector::<f64, 5>::zeros());
-    let mut kept = 0usize;
-    for ((x, y), r) in places().zip(&residuals) {
-        let u = r / bound;
-        if u.abs() >= 1.0 {
-            continue;
-        }
-        let weight = (1.0 - u * u) * (1.0 - u * u);
-        kept += usize::from(weight > 0.5);
-        let slope = |dx: usize, dy: usize| {
-            let (a, b) = (other.at(x + dx, y + dy), other.at(x - dx, y - dy));
-            from.gain * f64::from(a - b) / 2.0
-        };
-        let (gx, gy) = (slope(1, 0), slope(0, 1));
-        let (dx, dy) = (x as f64 - middle[0], y as f64 - middle[1]);
-        // The roll is given by the way of a corner, so that all columns are of one size.
-        let row = SVector::<f64, 5>::from([
-            gx,
-            gy,
-            (gy * dx - gx * dy) / half,
-            -f64::from(other.at(x, y)) / 100.0,
-            -1.0,
-        ]);
-        normal += row * row.transpose() * weight;
-        right -= row * (weight * r);
-    }
+    let half = libm::hypot(w as f64 - 1.0, h as f64 - 1.0) / 2.0;
+    let Sums {
+        normal,
+        right,
+        kept,
+    } = widest(
+        #[inline(always)]
+        || sums(&residuals, (other, from.gain), (rim, every), bound),
+    );
     let step = normal.cholesky()?.solve(&right);
     let placed = Placed {
         shift: [from.shift[0] + step[0], from.shift[1] + step[1]],
