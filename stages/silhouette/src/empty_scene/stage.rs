@@ -59,7 +59,7 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 15;
+    const VERSION: u32 = 16;
     const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: what most of them share, and the body's outlines on which they agree.";
     type Params = EmptySceneParams;
     type Input = EmptySceneInput;
