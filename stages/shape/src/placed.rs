@@ -153,7 +153,8 @@ fn cubic(image: &Rgb, at: [f32; 2]) -> [u8; 3] {
     })
 }
 
-/// The sum over four by four pixels from a left upper one on, of which a fifth is to the right: four numbers are read at once.
+/// The sum over four by four pixels from a left upper one on. A fifth is to their right: four numbers of a row are read at
+/// once, of which a pixel has three.
 #[inline(always)]
 fn cubic_inside(image: &Rgb, [x, y]: [usize; 2], [across, down]: [[f32; 4]; 2]) -> [f32; 3] {
     let mut sum = [0.0_f32; 4];
