@@ -118,20 +118,6 @@ impl<T: Copy> Image<T>
 where
     f32: From<T>,
 {
-    /// The value between pixels, bilinear, where all four are in the image.
-    #[inline(always)]
-    pub fn sample_inside(&self, x: f32, y: f32) -> f32 {
-        let (x0, y0) = (x as usize, y as usize);
-        let at = |x, y| f32::from(self.at(x, y));
-        let four = [
-            at(x0, y0),
-            at(x0 + 1, y0),
-            at(x0, y0 + 1),
-            at(x0 + 1, y0 + 1),
-        ];
-        crate::bilinear(four, [x - x0 as f32, y - y0 as f32])
-    }
-
     /// The value between pixels, bilinear; outside, that of the nearest border pixel.
     #[inline]
     pub fn sample(&self, x: f32, y: f32) -> f32 {

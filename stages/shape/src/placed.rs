@@ -145,7 +145,7 @@ fn cubic(image: &Rgb, at: [f32; 2]) -> [u8; 3] {
         true => cubic_inside(image, base.map(|v| v as usize - 1), weights),
         false => cubic_beside(image, base, weights),
     };
-    // Half a level up is away from zero here.
+    // As `round` does of what is not below zero, without a call.
     sum.map(|s| {
         let s = s.clamp(0.0, 255.0);
         let whole = s as u8;

@@ -6,7 +6,7 @@
 
 use crate::{Gray, Placed};
 use stage::machine::widest;
-use step::{Sums, residuals, sums};
+use step::{Sums, middle, residuals, sums};
 
 mod step;
 
@@ -141,7 +141,7 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
     let quiet = (far.len() as f64 * QUIET_SHARE) as usize;
     let (_, quiet, _) = far.select_nth_unstable_by(quiet, f64::total_cmp);
     let bound = BOUND * (*quiet / QUIET_SIGMAS).max(LEAST_NOISE_LEVELS);
-    let half = libm::hypot(w as f64 - 1.0, h as f64 - 1.0) / 2.0;
+    let (_, half) = middle(w, h);
     let Sums {
         normal,
         right,

@@ -15,7 +15,7 @@ pub(super) fn residuals(
     for y in (rim..h - rim).step_by(every) {
         for x in (rim..w - rim).step_by(every) {
             let at = from.of([x as f64, y as f64], [w, h]);
-            let seen = f64::from(picture.sample_inside(at[0] as f32, at[1] as f32));
+            let seen = f64::from(picture.sample(at[0] as f32, at[1] as f32));
             residuals.push(seen - from.gain * f64::from(other.at(x, y)) - from.bias);
         }
     }
@@ -30,6 +30,12 @@ pub(super) struct Sums {
     pub(super) kept: usize,
 }
 
+/// The middle of a picture, and how far a corner is from it. \[px\]
+pub(super) fn middle(width: usize, height: usize) -> ([f64; 2], f64) {
+    let middle = [width, height].map(|size| (size as f64 - 1.0) / 2.0);
+    (middle, libm::hypot(middle[0], middle[1]))
+}
+
 /// The same grid's sums, weighed by how far within a bound residuals are.
 #[inline(always)]
 pub(super) fn sums(
@@ -39,8 +45,7 @@ pub(super) fn sums(
     bound: f64,
 ) -> Sums {
     let (w, h) = (other.width, other.height);
-    let middle = [(w as f64 - 1.0) / 2.0, (h as f64 - 1.0) / 2.0];
-    let half = libm::hypot(middle[0], middle[1]);
+    let (middle, half) = middle(w, h);
     let (mut normal, mut right, mut kept) = ([[0.0; 5]; 5], [0.0; 5], 0);
     let mut residuals = residuals.iter();
     for y in (rim..h - rim).step_by(every) {

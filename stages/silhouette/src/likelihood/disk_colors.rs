@@ -28,9 +28,14 @@ pub(crate) fn cost_elsewhere(seen: Option<&Gmm>, color: [u8; 3]) -> f32 {
 
 /// The colours of a scene where it was seen.
 pub(crate) fn colors_of(scene: &Backdrop) -> Option<Gmm> {
-    let pixels = scene.seen.data.iter().zip(&scene.image.data);
-    let seen: Vec<[u8; 3]> = pixels.filter(|(s, _)| **s).map(|(_, c)| *c).collect();
-    mixture(&seen)
+    colors_where(scene, |_| true)
+}
+
+/// The same of some of its pixels.
+fn colors_where(scene: &Backdrop, counts: impl Fn(usize) -> bool) -> Option<Gmm> {
+    let pixels = 0..scene.image.data.len();
+    let seen = pixels.filter(|i| scene.seen.data[*i] && counts(*i));
+    mixture(&seen.map(|i| scene.image.data[i]).collect::<Vec<_>>())
 }
 
 /// Some colours at most, spread evenly, as a mixture.
@@ -61,13 +66,10 @@ pub(crate) fn body_colors(shots: &[Shot], still: &Backdrop, radius: f64) -> Opti
 
 /// The colours of the disk beyond a share of its radius, where it was seen.
 pub(crate) fn disk_colors(disk: &Backdrop, beyond: f64) -> Option<Gmm> {
-    let side = disk.image.width;
-    let colors: Vec<[u8; 3]> = (0..side * side)
-        .filter(|i| disk.seen.data[*i])
-        .filter(|i| point(*i, 1.0, side).is_some_and(|x| libm::hypot(x.x, x.y) > beyond))
-        .map(|i| disk.image.data[i])
-        .collect();
-    mixture(&colors)
+    colors_where(disk, |i| {
+        let at = point(i, 1.0, disk.image.width);
+        at.is_some_and(|x| libm::hypot(x.x, x.y) > beyond)
+    })
 }
 
 /// Pixels on the disk whose colour is the body's rather than the disk's.
@@ -113,9 +115,9 @@ mod tests {
         let mut noisy = |color: [f64; 3]| color.map(|v| (v + dice.normal()).round() as u8);
         let (wall, painting) = ([160.0, 160.0, 158.0], [40.0, 90.0, 160.0]);
         let mut image = Rgb::filled(50, 40, [0; 3]);
-        let frame = |i: usize| i % 50 >= 20;
+        let painted = |i: usize| i % 50 >= 20;
         for (i, p) in image.data.iter_mut().enumerate() {
-            *p = noisy(if frame(i) { painting } else { wall });
+            *p = noisy(if painted(i) { painting } else { wall });
         }
         let mut scene = Backdrop::whole(image);
         // All that is beside a gap in the painting is painting.
