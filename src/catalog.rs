@@ -2,7 +2,7 @@
 
 use crate::kinds::KINDS;
 use engine::Catalog;
-use engine::kind::Importer;
+use engine::Importer;
 use stage::{AnyStage, Template, erase};
 
 // What a folder has besides photos, and what capture.toml has.

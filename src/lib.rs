@@ -21,8 +21,8 @@ pub use program::{check_arguments, main, program, program_over};
 pub use study::{compare, girth_file, over_time, reader, repeat, score};
 // The engine's modules, under the names by which the product knows them.
 pub use engine::{
-    delivery, differ, graph, history, impact, key, lasttime, past, pattern, plan, provenance,
-    recipe, store, sweep, verify, walk, why,
+    delivery, differ, graph, history, impact, key, lasttime, past, plan, provenance, recipe, store,
+    sweep, verify, walk, why,
 };
 
 /// Every kind of message of this program, folder by folder; those of stages are in their crates.

@@ -10,9 +10,9 @@
 mod application;
 
 use application::{CATALOG, Place};
-use engine::foreign::{Sandbox, sandbox};
 use engine::recipe::{Overrides, Pipeline};
 use engine::sweep::{self, Points, Sweeping, axes};
+use programs::{Sandbox, sandbox};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};

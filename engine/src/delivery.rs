@@ -8,11 +8,11 @@
 pub(crate) mod error;
 mod withdraw;
 
-use crate::system::{self, Folder, nofollow, private_folder};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::path::{Component, Path, PathBuf};
+use system::{self, Folder, nofollow, private_folder};
 
 pub use error::DeliveryError;
 pub(crate) use withdraw::of_readable;

@@ -1,7 +1,7 @@
 //! A pipeline whose every name means something: what the walk runs.
 
-use crate::foreign::Program;
-use crate::kind::Catalog;
+use programs::Catalog;
+use programs::Program;
 use stage::{AnyStage, Checked, PortSpec};
 use std::sync::Arc;
 

@@ -5,7 +5,6 @@
 //! seconds from the start of the run. A run that makes nothing leaves no log.
 
 use crate::done::{Done, Status, Watch};
-use crate::system::{private_file, private_folder};
 use serde_json::{Value, json};
 use stage::Hash;
 use std::fs::File;
@@ -13,6 +12,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Instant;
+use system::{private_file, private_folder};
 
 /// Writes down what happens.
 pub(crate) struct Journal {

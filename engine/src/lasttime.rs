@@ -3,12 +3,12 @@
 
 use crate::past::NodeLine;
 use crate::past::{self, Of};
-use crate::system::read_exact_at;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
+use system::read_exact_at;
 
 /// Earlier runs, read one by one as far back as somebody asks.
 pub struct History {

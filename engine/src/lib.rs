@@ -78,27 +78,22 @@
 //! ```
 
 mod agenda;
-pub mod clock;
 pub mod delivery;
 pub mod differ;
 mod done;
 mod engine_error;
-pub mod foreign;
 pub mod graph;
 pub mod history;
 pub mod impact;
 mod journal;
 pub mod key;
-pub mod kind;
 pub mod lasttime;
 mod memory;
 mod meter;
 mod numbers;
-pub mod out;
 mod outcome;
 mod own;
 pub mod past;
-pub mod pattern;
 pub mod permission;
 pub mod plan;
 pub mod provenance;
@@ -113,20 +108,17 @@ mod stopwatch;
 pub mod store;
 pub mod strands;
 pub mod sweep;
-mod system;
-pub mod text;
 pub mod verify;
 pub mod walk;
 pub mod why;
 
-pub use kind::{Catalog, Kind};
 pub use meter::Spent;
 pub use outcome::{Outcome, ResultError};
 pub use own::whole;
+pub use programs::{Catalog, Importer, Kind, NamedFiles, WriteError, out, with_own};
 pub use session::{
     EngineError, Options, given_inputs, inputs, run, run_in, run_unrecorded, runs, threads,
 };
-pub use system::{is_alive, private_file};
 
 /// Every kind of message of this crate.
 pub const MESSAGES: &[&[stage::Template]] = &[

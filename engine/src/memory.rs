@@ -1,8 +1,8 @@
 //! Memory that stages share: those that need more than is left run one after the other.
 
-use crate::system::free_memory;
 use std::sync::{Condvar, Mutex, OnceLock};
 use std::time::Duration;
+use system::free_memory;
 
 /// What stages declare that they need, against what was free before the first of them.
 #[derive(Default)]

@@ -4,12 +4,12 @@
 //! those that ran meanwhile. Memory is that of the process, looked at then and every few milliseconds. Neither is part of
 //! a key or a result; a system that gives no numbers gives none here.
 
-use crate::clock;
-use crate::system::{processor_seconds, resident_bytes};
 use stage::Metric;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, Weak};
 use std::thread::Builder;
 use std::time::Duration;
+use system::clock;
+use system::{processor_seconds, resident_bytes};
 
 /// How often memory is looked at. \[ms\]
 const EVERY_MS: u64 = 20;

@@ -1,6 +1,6 @@
 //! Which numbers a node can have: its stage's metrics, its result's own numbers, time, processor, memory and size.
 
-use crate::kind::Catalog;
+use programs::Catalog;
 use stage::{AnyStage, Value, fits_any, nearest};
 
 /// What every node has.

@@ -1,11 +1,11 @@
 //! The store's own files: known by the form of their names, listed and removed without ever going
 //! through a link.
 
-use crate::system::{FileKind, nofollow};
 use stage::Hash;
 use std::fs;
 use std::io::Result;
 use std::path::{Path, PathBuf};
+use system::{FileKind, is_numbered, nofollow};
 
 /// The user's folder by its whole path, without links where it is there.
 pub fn whole(path: &Path) -> PathBuf {
@@ -28,12 +28,12 @@ const FOLDERS: [(&str, Form); 16] = [
     ("quarantine", is_hash),
     ("captures", is_hash),
     ("delivered", is_hash),
-    ("tmp", is_writing),
+    ("tmp", is_numbered),
     ("allowed", is_hash),
     ("plans", is_hash),
     ("shared", is_tag),
     ("waiting", is_waiting),
-    ("exec", is_writing),
+    ("exec", is_numbered),
 ];
 
 /// The store's files beside its folders.
@@ -93,12 +93,6 @@ fn is_tag(name: &str) -> bool {
 pub(crate) fn is_waiting(name: &str) -> bool {
     name.split_once('-')
         .is_some_and(|(key, tag)| is_hash(key) && is_tag(tag))
-}
-
-/// A file that is being written: process, count, time.
-pub(crate) fn is_writing(name: &str) -> bool {
-    let words: Vec<&str> = name.split('-').collect();
-    matches!(words[..], [id, count, now] if is_number(id) && is_number(count) && is_hex(now))
 }
 
 /// The record or the event log of a run.
@@ -253,7 +247,6 @@ mod tests {
 
     #[test]
     fn names_are_ours_or_not() {
-        assert!(is_writing("12-0-17f") && !is_writing("12-0") && !is_writing("a-0-1"));
         assert!(is_run("00000000000000000007-12.json") && !is_run("notes.json"));
         assert!(is_lease("0af") && !is_lease("abcd") && !is_lease("0AF"));
         assert!(is_prefix("0a") && !is_prefix("..") && !is_hash("0a"));

@@ -1,6 +1,5 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
-use crate::foreign;
 use crate::graph::{Graph, InputDecl};
 use crate::history::{self, RunSummary};
 use crate::journal::Journal;
@@ -191,7 +190,7 @@ fn walked(
     cancel: &AtomicBool,
 ) -> Outcome {
     let start = std::time::Instant::now();
-    let _keeping = foreign::Keeping::new(store.root());
+    let _keeping = programs::Keeping::new(store.root());
     let using = store.using();
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
     store.note_captures(&contents.iter().copied().zip(files).collect::<Vec<_>>());
@@ -248,7 +247,7 @@ pub(crate) fn settled(
 
 /// How many threads the options mean: at most four a core.
 pub fn threads(options: &Options) -> usize {
-    if crate::clock::is_simulated() {
+    if system::clock::is_simulated() {
         return 0;
     }
     let cores = || std::thread::available_parallelism().map_or(1, |n| n.get());

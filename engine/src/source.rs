@@ -5,13 +5,12 @@
 //! of git's index).
 
 use crate::graph::InputDecl;
-use crate::pattern::{fits, natural};
-use crate::system;
-use crate::text::shown;
 use serde::{Deserialize, Serialize};
 use stage::{Coded, FileEntry, Files, Hash, Message, Template, message};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use system::pattern::{fits, natural};
+use system::text::shown;
 
 stage::messages! {
     UNREADABLE = "cli-input-unreadable": "{path}: {why}; give a folder that is there and readable";
@@ -252,7 +251,7 @@ impl Memo {
             modified_ns: now.modified_ns,
             changed_ns: now.changed_ns,
             inode: now.inode,
-            seen_ns: crate::clock::now_ns(),
+            seen_ns: system::clock::now_ns(),
             content: content.to_hex().to_string(),
         };
         self.files.insert(path.to_owned(), stamp);

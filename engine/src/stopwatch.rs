@@ -1,9 +1,9 @@
 //! How long a stage ran, without the stages that its thread ran meanwhile: a thread of the pool that
 //! waits for the rest of a loop may take up another stage's whole run.
 
-use crate::clock;
 use std::cell::Cell;
 use std::time::{Duration, Instant};
+use system::clock;
 
 thread_local! {
     /// What runs inside the present one took on this thread.

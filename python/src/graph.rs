@@ -137,7 +137,7 @@ fn wanted(graph: &engine::graph::Graph, nodes: &[String]) -> Result<Vec<usize>, 
 
 /// The stages that take what comes from elsewhere, a kind each.
 pub(crate) fn importers() -> String {
-    let one = |importer: &engine::kind::Importer| {
+    let one = |importer: &engine::Importer| {
         let stage = importer.stage;
         let ports = stage.ports().into_iter();
         let ports =

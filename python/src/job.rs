@@ -93,7 +93,7 @@ pub(crate) fn run<T: Send + 'static>(
         if let Err(why) = heard.and_then(|()| py.check_signals()) {
             if raises.is_some() {
                 // Asked once more: programs of the pipeline end at once.
-                engine::foreign::end_all();
+                programs::end_all();
             }
             stop.store(true, Ordering::Relaxed);
             raises.get_or_insert(why);

@@ -76,7 +76,7 @@ mod _native {
     /// Takes a program of pipelines from here, whatever PATH has, and lets it read some folders.
     #[pyfunction]
     fn bring(name: String, path: std::path::PathBuf, reads: Vec<std::path::PathBuf>) {
-        engine::foreign::bring(name, path, reads);
+        programs::bring(name, path, reads);
     }
 
     /// A picture of one or three channels as PNG.

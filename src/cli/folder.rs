@@ -6,10 +6,10 @@ use super::source::Source;
 use super::stated::Stated;
 use crate::catalog::{READ, foreign, is_photo, is_plate};
 use crate::graph::Graph;
-use crate::pattern::{natural, stays_inside};
 use command::Fault;
 use stage::{Message, message};
 use std::path::Path;
+use system::pattern::{natural, stays_inside};
 
 stage::messages! {
     TOO_FEW = "fail-few-no-mat": "{folder} has {count} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then give --mat), or give the step between them, such as --step 20";

@@ -100,7 +100,7 @@ impl Home {
         let folder = self.root.join("captures").join(&id);
         let place = Place { id, folder };
         make(&place.photos())?;
-        let begun = (engine::clock::now_ns() / 1_000_000_000) as u64;
+        let begun = (system::clock::now_ns() / 1_000_000_000) as u64;
         let name = tidy(name);
         let record = Record {
             name,

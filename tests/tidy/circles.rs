@@ -40,7 +40,8 @@ fn crates() -> Vec<BTreeMap<String, BTreeSet<String>>> {
     crates.extend(
         ["study", ""]
             .iter()
-            .chain(&super::ENGINE)
+            .copied()
+            .chain(super::engine::ENGINE.map(|(path, _)| path))
             .map(|c| root.join(c)),
     );
     crates.sort();

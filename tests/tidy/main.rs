@@ -2,6 +2,7 @@
 
 mod builds;
 mod circles;
+mod engine;
 mod files;
 #[path = "../imports/mod.rs"]
 mod imports;
@@ -9,11 +10,3 @@ mod names;
 mod numbers;
 mod rules;
 mod words;
-
-/// The engine's crates.
-const ENGINE: [&str; 4] = [
-    "engine",
-    "engine/cluster",
-    "engine/command",
-    "engine/tables",
-];

@@ -4,9 +4,8 @@ use shape::Mesh;
 use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Ctx, Packer, Stage, Stop, Unpacker, erase};
 use std::sync::Arc;
 use tailor::catalog::{CATALOG, CRATES, IMPORTERS};
-use tailor::engine::kind::{NamedFiles, WriteError, with_own};
 use tailor::command;
-use tailor::engine::{Catalog, Kind};
+use tailor::engine::{Catalog, Kind, NamedFiles, WriteError, with_own};
 use tailor::kinds::KINDS;
 
 /// What flows out: the surface's area in slices of equal height. \[mm²\]

@@ -9,11 +9,12 @@ use super::result::there;
 use engine::Outcome;
 use engine::delivery::{self, Delivery, Left};
 use engine::graph::Graph;
+use engine::out;
 use engine::store::Store;
-use engine::{out, pattern};
 use serde_json::{Value, json};
 use stage::message;
 use std::path::{Path, PathBuf};
+use system::pattern;
 
 stage::messages! {
     INSIDE = "cli-out-inside": "{out} is in {folder}, and what is written there would be read as input the next time; give a folder outside of it with --out";

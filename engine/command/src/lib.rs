@@ -71,7 +71,6 @@ mod why;
 
 pub use arguments::{Change, Wanted};
 pub use deliver::{check as check_out, finish, inside, is_within, whose};
-pub use engine::text;
 pub use fault::Fault;
 pub use host::{Host, Telling};
 pub use line::{check_arguments, main, run};
@@ -87,6 +86,7 @@ pub use speech::CANCEL;
 pub use speech::{answer, answer_line, error_line};
 pub use sweep::{Heard, Swept, swept};
 pub use sweep_asked::SweepArgs;
+pub use system::text;
 
 /// Prints to standard output; a reader that has gone away is no fault of ours.
 #[macro_export]

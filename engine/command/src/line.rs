@@ -23,7 +23,7 @@ struct Cli {
 /// Does what the arguments ask for. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
 /// 130 cancelled.
 pub fn main(program: &'static Program) -> ExitCode {
-    let launched = engine::foreign::launched(std::env::args_os().skip(1));
+    let launched = programs::launched(std::env::args_os().skip(1));
     launched.unwrap_or_else(|| ExitCode::from(run(program, std::env::args_os())))
 }
 
@@ -68,7 +68,7 @@ pub fn run<A: Into<OsString> + Clone>(
     global.program = Some(program);
     let _ = ctrlc::set_handler(|| {
         if CANCEL.swap(true, Ordering::Relaxed) {
-            engine::foreign::end_all();
+            programs::end_all();
             private::burn();
             std::process::exit(130);
         }

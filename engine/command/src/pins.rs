@@ -5,8 +5,8 @@ use super::fault::Fault;
 use super::program::GlobalArgs;
 use engine::past::{self, ago};
 use engine::store::Store;
-use engine::text::count;
 use serde_json::json;
+use system::text::count;
 
 /// Keeps what a run made or found.
 pub(super) fn pin(

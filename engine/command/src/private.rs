@@ -1,10 +1,10 @@
 //! `--private`: a cache of a run's own, which is gone when the program ends.
 
 use super::fault::Fault;
-use engine::is_alive;
 use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use system::is_alive;
 
 /// It, and the lock that shows that it is in use.
 static CACHE: Mutex<Option<(tempfile::TempDir, Option<File>)>> = Mutex::new(None);

@@ -4,11 +4,11 @@ use super::fault::Fault;
 use super::profile::{Cost, Profile, Profiler};
 use super::program::GlobalArgs;
 use super::text::short;
-use engine::private_file;
 use engine::walk::{Both, Watch};
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
+use system::private_file;
 use tables::aligned::{lines, table, to_the_right};
 
 /// Runs it with somebody who listens; where a profile is asked for, takes one, shows it and writes it.

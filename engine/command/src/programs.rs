@@ -2,7 +2,6 @@
 
 use super::fault::Fault;
 use super::program::{GlobalArgs, Walls};
-use engine::foreign;
 use engine::graph::Graph;
 use engine::permission;
 use engine::store::Store;
@@ -20,8 +19,8 @@ pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault>
         return Ok(());
     }
     if global.sandbox == Walls::Required {
-        foreign::require_sandbox();
-        if let Some(lacks) = foreign::sandbox().lacks() {
+        programs::require_sandbox();
+        if let Some(lacks) = programs::sandbox().lacks() {
             let what = "`--sandbox required` lets no program run without a full sandbox";
             return Err(Fault::input(format!("{lacks}; {what}")));
         }
@@ -64,7 +63,7 @@ pub(crate) fn unguarded(graph: &Graph, nodes: &[usize], global: &GlobalArgs) {
     let quiet = global.quiet || global.json;
     if !quiet
         && permission::programs(graph, nodes).next().is_some()
-        && let Some(lacks) = foreign::sandbox().lacks()
+        && let Some(lacks) = programs::sandbox().lacks()
     {
         REPORTED.call_once(|| crate::errln!("{lacks} (--sandbox required lets none run so)"));
     }
@@ -80,7 +79,7 @@ pub(crate) fn listed(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault> {
     if global.quiet || global.json || permission::programs(graph, &all).next().is_none() {
         return Ok(());
     }
-    let of = |(i, program): (usize, &std::sync::Arc<foreign::Program>)| {
+    let of = |(i, program): (usize, &std::sync::Arc<programs::Program>)| {
         (!permission::is_allowed(program)).then_some(i)
     };
     let refused: Vec<usize> = permission::programs(graph, &all).filter_map(of).collect();

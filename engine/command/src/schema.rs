@@ -4,7 +4,7 @@
 //! JSON Schema 2020-12. Editors that know TOML (Even Better TOML, Tombi) take it by a first line
 //! `#:schema pipeline.schema.json`.
 
-use engine::foreign::EXEC;
+use programs::EXEC;
 use serde_json::{Map, Value, json};
 use stage::{AnyStage, ParamSpec};
 

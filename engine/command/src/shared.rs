@@ -4,8 +4,9 @@ use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::speech::CANCEL;
 use super::text::count;
+use buckets::{Objects, Patience, Seal};
 use clap::ArgMatches;
-use engine::store::remote::{Left, Manner, Objects, Patience, Seal, Sharing};
+use engine::store::remote::{Left, Manner, Sharing};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -28,7 +29,7 @@ pub(super) const OF_STORE: [&str; 5] = [
 /// The place of an address.
 #[cfg(feature = "remote")]
 fn place(address: &str, patience: Patience) -> Result<Box<dyn Objects>, Fault> {
-    let opened = engine::store::remote::open(address, patience);
+    let opened = buckets::open(address, patience);
     opened.map_err(|why| Fault::input(format!("--store {}: {why}", plain(address))))
 }
 
@@ -44,7 +45,7 @@ fn place(address: &str, _patience: Patience) -> Result<Box<dyn Objects>, Fault> 
 /// Who signs what goes there, and who is believed.
 #[cfg(feature = "remote")]
 fn seal(global: &GlobalArgs) -> Result<Option<Box<dyn Seal>>, Fault> {
-    use engine::store::remote::Keys;
+    use buckets::Keys;
     if global.sign_key.is_none() && global.trust.is_none() {
         return Ok(None);
     }

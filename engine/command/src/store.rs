@@ -4,7 +4,8 @@ use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::size::mib;
 use super::text::count;
-use engine::store::remote::{Honest, Sharing, Trouble};
+use buckets::Trouble;
+use engine::store::remote::{Honest, Sharing};
 use serde_json::json;
 use std::path::Path;
 use std::time::Duration;
@@ -68,7 +69,7 @@ pub(super) fn look(shared: Option<&Sharing>, global: &GlobalArgs) -> Result<(), 
 /// Makes a key that signs what goes there.
 #[cfg(feature = "remote")]
 pub(super) fn keygen(file: &Path, days: u32, global: &GlobalArgs) -> Result<(), Fault> {
-    let line = engine::store::remote::keygen(file, days).map_err(Fault::input)?;
+    let line = buckets::keygen(file, days).map_err(Fault::input)?;
     match global.json {
         true => crate::outln!(
             "{}",

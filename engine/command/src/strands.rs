@@ -10,7 +10,6 @@ use super::text::count;
 use clap::Args;
 use engine::lasttime::History;
 use engine::past::Of;
-use engine::pattern::natural;
 use engine::recipe::{Overrides, Pipeline};
 use engine::store::Store;
 use engine::strands::{self, Asked, Folders, Plan, Worked};
@@ -20,6 +19,7 @@ use stage::Hash;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::Ordering;
+use system::pattern::natural;
 
 /// Arguments of `work`.
 #[derive(Args)]

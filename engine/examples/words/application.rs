@@ -1,8 +1,8 @@
 //! What is done: words are counted file by file, and a page shows the most frequent.
 
 use crate::nouns::{Counts, Text};
-use engine::kind::{Importer, NamedFiles, WriteError};
 use engine::{Catalog, Kind};
+use engine::{Importer, NamedFiles, WriteError};
 use stage::{AnyArtifact, Artifact, Ctx, Files, Metric, Stage, Stop, erase};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;

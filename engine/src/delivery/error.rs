@@ -1,8 +1,8 @@
 //! Why results cannot be delivered.
 
-use crate::text::shown;
 use stage::{Coded, Message, message};
 use std::path::PathBuf;
+use system::text::shown;
 
 stage::messages! {
     DISK = "cli-out-disk": "{path}: {why}";

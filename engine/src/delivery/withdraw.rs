@@ -1,10 +1,10 @@
 //! A folder of results taken back: what was delivered there goes, as long as nobody changed it, and nothing else.
 
 use super::{Delivery, DeliveryError, RUN, answer};
-use crate::system::{self, FileKind, nofollow};
 use serde_json::{Map, Value};
 use std::io::{self, Read};
 use std::path::Path;
+use system::{self, FileKind, nofollow};
 
 /// What became of a folder of results.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

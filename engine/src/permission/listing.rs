@@ -1,8 +1,8 @@
 //! What a pipeline would run, for the user to look at before it does.
 
-use crate::foreign::{EXEC, Program, Template, VERSION};
 use crate::graph::Graph;
-use crate::kind::Catalog;
+use programs::Catalog;
+use programs::{EXEC, Program, Template, VERSION};
 use std::fmt::Write;
 use std::sync::Arc;
 

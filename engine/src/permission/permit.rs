@@ -2,12 +2,12 @@
 //! that is downloaded. A program that was not allowed does not run, nor does its identity.
 
 use super::listing::{self, programs};
-use crate::foreign::{Program, leftover};
 use crate::graph::Graph;
 use crate::store::Store;
-use crate::system::{is_mine, nofollow, private_folder, user_state};
+use programs::{Program, leftover};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use system::{is_mine, nofollow, private_folder, user_state};
 
 /// Where permissions are kept, below the folder of the program whose stages run.
 const FOLDER: &str = "allowed";

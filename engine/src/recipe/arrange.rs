@@ -4,7 +4,7 @@ use super::binder::Binder;
 use super::mistake::Mistake;
 use super::written::{Input, Recipe};
 use crate::graph::{Bound, Graph, InputDecl, Origin, Source};
-use crate::kind::Catalog;
+use programs::Catalog;
 
 impl Binder<'_> {
     /// Reports nodes and inputs that the goal does not need.

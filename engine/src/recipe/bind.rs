@@ -6,9 +6,9 @@ use super::binder::{Binder, Known};
 use super::mistake::Mistake;
 use super::written::{Node, Recipe};
 use crate::graph::{Bound, Graph, Source};
-use crate::kind::Catalog;
 use petgraph::algo::{tarjan_scc, toposort};
 use petgraph::graph::DiGraph;
+use programs::Catalog;
 use stage::unknown;
 use std::collections::HashMap;
 

@@ -3,15 +3,15 @@
 use super::binder::{Binder, Known, importer_of};
 use super::mistake::Mistake;
 use super::written::{From, Node, Spanned};
-use crate::foreign::{Granted, Piece, Program, Script, Template};
 use crate::graph::{Bound, Source};
-use crate::pattern::stays_inside;
-use crate::system::plain_file;
+use programs::{Granted, Piece, Program, Script, Template};
 use stage::{Checked, PortSpec, Value, unknown};
 use std::collections::BTreeSet;
 use std::path::{Component, Path};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
+use system::pattern::stays_inside;
+use system::plain_file;
 
 /// What a file of a node's may be at most: as much as a result. \[bytes\]
 const LARGEST_SCRIPT_BYTES: u64 = 4 << 30;

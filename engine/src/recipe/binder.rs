@@ -2,9 +2,9 @@
 
 use super::mistake::Mistake;
 use super::written::{Node, Recipe, Spanned};
-use crate::foreign::{EXEC, Identities};
 use crate::graph::Source;
-use crate::kind::{Catalog, Importer};
+use programs::{Catalog, Importer};
+use programs::{EXEC, Identities};
 use stage::{AnyStage, ParamSpec, PortSpec, unknown};
 use std::collections::HashMap;
 use std::path::PathBuf;

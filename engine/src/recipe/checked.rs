@@ -4,7 +4,7 @@ use super::mistake::Mistake;
 use super::sweep_check;
 use super::variant::wrong_variants;
 use super::written::Recipe;
-use crate::kind::Catalog;
+use programs::Catalog;
 
 /// What is wrong with variants and sweeps, chosen or not.
 pub(super) struct Checked {

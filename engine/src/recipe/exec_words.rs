@@ -2,8 +2,8 @@
 
 use super::binder::Binder;
 use super::written::{Node, Spanned};
-use crate::foreign::{Piece, Template, laid_out};
-use crate::kind::Importer;
+use programs::Importer;
+use programs::{Piece, Template, laid_out};
 use stage::{Artifact, Files, PortSpec, unknown};
 
 impl Binder<'_> {

@@ -2,9 +2,9 @@
 
 use super::mistake::{Mistake, Mistakes, Text};
 use super::written::{Recipe, Spanned};
-use crate::kind::Catalog;
-use crate::system::{bounded, plain_file};
+use programs::Catalog;
 use std::path::{Path, PathBuf};
+use system::{bounded, plain_file};
 
 /// Where a text comes from.
 #[derive(Debug, Clone, PartialEq)]

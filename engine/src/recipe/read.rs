@@ -217,7 +217,7 @@ impl Reader {
                 "about" => input.about = self.text(value, "`about`").value,
                 "files" => {
                     for Spanned { value, span } in self.texts(value, "a pattern") {
-                        if !crate::pattern::stays_inside(&value) {
+                        if !system::pattern::stays_inside(&value) {
                             let what = "a pattern stays in the input's folder: no `..`, and no `/` in front";
                             self.wrong(&span, what);
                         }

@@ -7,8 +7,8 @@ use super::shared;
 use super::variant::vary;
 use super::written::{Node, Over, Overrides, Recipe, Spanned, Sweep};
 use crate::graph::SHARED;
-use crate::kind::Catalog;
 use crate::numbers::{entries, missing_number};
+use programs::Catalog;
 use stage::{Message, Value, unknown};
 
 /// Whether every sweep means something: nodes, params, values, variants, metrics.

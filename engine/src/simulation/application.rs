@@ -2,11 +2,11 @@
 
 use super::seam;
 use super::story::NUMBERS;
-use crate::Catalog;
 use crate::graph::Graph;
-use crate::kind::Importer;
 use crate::recipe::{Overrides, Pipeline};
 use crate::store::remote::SMALL;
+use programs::Catalog;
+use programs::Importer;
 use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Ctx, Files, Packer, Stage, Stop};
 use stage::{Unpacker, erase};
 use std::cell::RefCell;

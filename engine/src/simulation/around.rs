@@ -3,11 +3,11 @@
 use super::process::{Killed, Process};
 use super::seam::Around;
 use super::world::{World, day};
-use crate::clock::simulated;
 use std::io::{Error, ErrorKind, Result};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
+use system::clock::simulated;
 
 /// What a stage or a program does takes as long as so many steps of a disk: most who are killed are killed at work.
 const WORK_STEPS: u32 = 10;

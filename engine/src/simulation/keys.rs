@@ -2,7 +2,7 @@
 //! engine reads. Signatures alone are made otherwise: they cost nothing.
 
 use super::seam;
-use crate::store::remote::{KeysOf, Pair, Public, Trusted};
+use buckets::{KeysOf, Pair, Public, Trusted};
 use std::path::Path;
 
 /// A key.

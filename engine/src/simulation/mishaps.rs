@@ -7,12 +7,12 @@ use super::programs::program;
 use super::server::spoilt;
 use super::story::{Use, What};
 use super::world::{World, day};
-use crate::clock::simulated;
 use crate::permission;
 use crate::store::{Step, below};
 use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
+use system::clock::simulated;
 
 /// One of these things; what came of it.
 pub(super) fn happens(world: &World, m: usize, what: &What) -> String {

@@ -6,8 +6,8 @@ use super::process::hush;
 use super::seam;
 use super::story::Story;
 use super::world::World;
-use crate::clock::simulated;
 use std::rc::Rc;
+use system::clock::simulated;
 
 /// Plays a story: what happened, and what did not hold.
 pub(super) fn played(story: &Story) -> (Vec<String>, Option<String>) {

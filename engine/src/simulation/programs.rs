@@ -2,9 +2,9 @@
 
 use super::application::{CATALOG, Results, Text};
 use super::seam;
-use crate::foreign::{Pretended, pretend};
 use crate::graph::Graph;
 use crate::recipe::{Overrides, Pipeline};
+use programs::pretended::{Pretended, pretend};
 use stage::Files;
 use std::path::Path;
 use std::rc::Rc;

@@ -2,7 +2,7 @@
 
 use super::process::Process;
 use super::seam;
-use crate::store::remote::{Created, Got, Object, Objects, Trouble};
+use buckets::{Created, Got, Object, Objects, Trouble};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};

@@ -6,7 +6,6 @@ use super::machine::Machine;
 use super::process::{Killed, Process};
 use super::server::Server;
 use super::story::{Act, Setup, Story, Use, What};
-use crate::clock::simulated::{self, Time};
 use crate::store::in_memory;
 use std::cell::{Cell, RefCell};
 use std::panic::AssertUnwindSafe;
@@ -14,6 +13,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
+use system::clock::simulated::{self, Time};
 
 /// Of a day. \[ns\]
 const DAY_NS: i128 = 86_400_000_000_000;

@@ -1,10 +1,10 @@
 //! What publishing asks of a disk, in single steps: the real one, and in tests one that loses power.
 
 use crate::own;
-use crate::system::{nofollow, private_file, private_folder};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Result, Write};
 use std::path::Path;
+use system::{nofollow, private_file, private_folder};
 
 /// The steps. Paths are those that the store uses; a file is written by who made it.
 pub(crate) trait Disk: Send + Sync {

@@ -1,8 +1,8 @@
 //! A store that cannot be used.
 
-use crate::text::shown;
 use stage::{Coded, Message, message};
 use std::path::PathBuf;
+use system::text::shown;
 
 stage::messages! {
     DISK = "cli-cache-disk": "the cache at {path}: {why}; free space or make it writable, or give another with --cache";

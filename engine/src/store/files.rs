@@ -2,10 +2,10 @@
 
 use super::disk::Disk;
 use super::error::StoreError;
-use crate::system::nofollow;
 use std::fs::File;
 use std::io::{ErrorKind, Result};
 use std::path::Path;
+use system::nofollow;
 
 /// Whether a file must outlive a loss of power. A file that need not is found torn or missing
 /// after one, which is a miss. The syncs of a result and its record cost some 30 ms: they are worth

@@ -158,10 +158,8 @@ impl Store {
         use std::sync::atomic::{AtomicU64, Ordering};
         static COUNT: AtomicU64 = AtomicU64::new(0);
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
-        #[cfg(test)]
-        let count = crate::clock::simulated::count().map_or(count, |n| 1_000_000 + n);
-        let (id, now) = (std::process::id(), crate::clock::now_ns());
-        self.root.join("tmp").join(format!("{id}-{count}-{now:x}"))
+        let count = system::clock::simulated::count().map_or(count, |n| 1_000_000 + n);
+        self.root.join("tmp").join(system::numbered(count))
     }
 
     /// Puts what is corrupt aside, so that it is a miss from now on.

@@ -8,9 +8,9 @@ use super::folder::Store;
 use super::links::Links;
 use super::retention;
 use super::trace::{Trace, accounted};
-use crate::foreign::leftover;
 use crate::own;
 use crate::past;
+use programs::leftover;
 use stage::Hash;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -102,7 +102,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     forgotten.unread.extend(there);
     // Nothing shows whose they are, and a process has their number.
     let mut stay = leftover::there(root).map_err(at(&root.join("exec")))?;
-    let written = store.files("tmp", own::is_writing)?.into_iter();
+    let written = store.files("tmp", system::is_numbered)?.into_iter();
     stay.extend(written.map(|name| root.join("tmp").join(name)));
     let shown = |path: &PathBuf| path.display().to_string();
     forgotten

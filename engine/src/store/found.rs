@@ -85,7 +85,7 @@ impl Store {
         }
         let theirs = Index::load(&path).entries.into_iter();
         theirs.for_each(|(key, entry)| _ = index.entries.entry(key).or_insert(entry));
-        let bytes = index.bytes(crate::clock::now_ns() as i64);
+        let bytes = index.bytes(system::clock::now_ns() as i64);
         let _ = files::publish(self.disk(), &self.fresh(), &path, &bytes, Care::Cheap);
     }
 }

@@ -15,7 +15,6 @@
 
 use super::metrics::MetricText;
 use super::record::Record;
-use crate::system;
 use stage::{Hash, Message};
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};

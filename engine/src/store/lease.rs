@@ -13,10 +13,10 @@
 
 use super::remote::Paused;
 use super::{Store, files};
-use crate::system::private_file;
 use stage::Hash;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::path::Path;
+use system::private_file;
 
 /// The lock on a result while it is made.
 #[derive(Debug)]

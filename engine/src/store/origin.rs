@@ -8,7 +8,7 @@
 use super::files::{self, Care};
 use super::folder::Store;
 use super::record::{Origin, Record};
-use crate::system::Stamp;
+use system::Stamp;
 
 const NAME: &str = "origin";
 

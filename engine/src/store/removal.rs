@@ -4,10 +4,10 @@ use super::error::StoreError;
 use super::files::at;
 use super::folder::Store;
 use crate::own;
-use crate::system::{is_alive, nofollow};
 use stage::Hash;
 use std::fs::{File, TryLockError};
 use std::path::Path;
+use system::{is_alive, nofollow};
 
 impl Store {
     /// Removes a plain file; whether it was there.

@@ -4,12 +4,12 @@ use super::error::StoreError;
 use super::files::at;
 use super::folder::Store;
 use super::removal::is_litter;
-use crate::foreign::leftover;
 use crate::own;
 use crate::past;
-use crate::system::nofollow;
+use programs::leftover;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
+use system::nofollow;
 
 /// Runs whose records are kept by default; there may be twice as many for a while.
 pub const KEPT_RECORDS: usize = 200;
@@ -254,7 +254,9 @@ pub(super) fn sweep(store: &Store) -> Result<(), StoreError> {
     let root = store.root();
     store.gone(&[], "index")?;
     store.all_gone("quarantine", own::is_hash)?;
-    store.all_gone("tmp", |name| own::is_writing(name) && is_litter(root, name))?;
+    store.all_gone("tmp", |name| {
+        system::is_numbered(name) && is_litter(root, name)
+    })?;
     leftover::clear(root);
     // Nobody runs, so nobody holds one.
     store.all_gone("lease", own::is_lease)?;

@@ -8,11 +8,11 @@ use super::folder::Store;
 use crate::own::{self, whole};
 use crate::past;
 use crate::source::Memo;
-use crate::system::nofollow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::Metadata;
 use std::io::{Error, Result};
 use std::path::{Path, PathBuf};
+use system::nofollow;
 
 /// What in a store came of a folder.
 #[derive(Debug, Default)]

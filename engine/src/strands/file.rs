@@ -5,11 +5,11 @@
 //! hash, and no name of a file may lead out of its folder.
 
 use crate::own;
-use crate::pattern::stays_inside;
 use crate::store::{Store, StoreError};
 use serde::{Deserialize, Serialize};
 use stage::{FileEntry, Files, Hash};
 use std::path::{Path, PathBuf};
+use system::pattern::stays_inside;
 
 /// Raise it whenever a plan of before would be read as something else.
 const VERSION: u32 = 1;

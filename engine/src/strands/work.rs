@@ -3,12 +3,12 @@
 use super::file::Plan;
 use crate::graph::{Graph, Source};
 use crate::key::{self, Digest, Ledger};
-use crate::kind::Catalog;
 use crate::outcome::Outcome;
 use crate::recipe::{Mistakes, Overrides, Pipeline};
 use crate::session::{self, EngineError, Options};
 use crate::store::Store;
 use crate::walk::Watch;
+use programs::Catalog;
 use stage::{Files, Hash};
 use std::sync::atomic::AtomicBool;
 

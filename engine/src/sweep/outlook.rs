@@ -3,7 +3,7 @@
 use super::points::Points;
 use crate::graph::Graph;
 use crate::impact;
-use crate::text::count;
+use system::text::count;
 
 /// What a sweep would make if nothing of it were in the store.
 #[derive(Debug, Clone, PartialEq)]

@@ -34,7 +34,7 @@ pub fn run(
     mut done: impl FnMut(&Row),
 ) -> Result<Vec<Row>, EngineError> {
     // Programs that are kept are kept for all points.
-    let _keeping = crate::foreign::Keeping::new(&sweeping.options.cache);
+    let _keeping = programs::Keeping::new(&sweeping.options.cache);
     let failures = Failures::default();
     let mut rows = Vec::new();
     let mut points = points.peekable();

@@ -191,7 +191,7 @@ fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use engine::text::short;
+    use system::text::short;
 
     #[test]
     fn what_moved_is_named_by_what_it_is_of_and_nothing_else() {

@@ -7,9 +7,9 @@ use super::paired::{Pairs, of_variants};
 use super::reported::Reported;
 use super::spread::{Group, spread};
 use engine::sweep::{End, Row};
-use engine::text::count;
 use serde_json::{Value, json};
 use std::fmt::Write;
+use system::text::count;
 
 /// A table for people, and a line that sums up: replicates as one row, with what they scatter.
 pub fn text(about: &str, rows: &[Row]) -> String {

@@ -1,7 +1,7 @@
 //! A place of objects in memory with faults as chosen: answers that are errors or lost, a server that
 //! is gone, other bytes, a create that writes over, no rights.
 
-use engine::store::remote::{Created, Got, Object, Objects, Trouble};
+use buckets::{Created, Got, Object, Objects, Trouble};
 use proof::Dice;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
@@ -99,7 +99,7 @@ impl Bucket {
 }
 
 fn now() -> SystemTime {
-    SystemTime::UNIX_EPOCH + Duration::from_nanos(engine::clock::now_ns() as u64)
+    SystemTime::UNIX_EPOCH + Duration::from_nanos(system::clock::now_ns() as u64)
 }
 
 impl State {

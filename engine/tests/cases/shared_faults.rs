@@ -3,7 +3,8 @@
 use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, NONE, Place, chain, graph};
 use crate::shared::{begun, caches, shared, shelf, texts};
-use engine::store::remote::{Manner, Objects, Sharing};
+use buckets::Objects;
+use engine::store::remote::{Manner, Sharing};
 use engine::store::{Store, retention};
 use std::time::{Duration, Instant};
 

@@ -3,8 +3,9 @@
 use crate::bucket::Bucket;
 use crate::place::{ALL, NONE, Place, chain, graph};
 use crate::shared::{caches, texts};
+use buckets::Seal;
 use engine::graph::Graph;
-use engine::store::remote::{Manner, Seal, Sharing};
+use engine::store::remote::{Manner, Sharing};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;

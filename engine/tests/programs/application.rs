@@ -1,11 +1,11 @@
 //! An application for programs: a text (one file), pages (a folder of texts); and a folder to run them in.
 
 use engine::graph::Graph;
-use engine::kind::{Importer, NamedFiles, WriteError};
 use engine::recipe::{Overrides, open_text};
 use engine::store::Store;
 use engine::walk::{Done, Status, Watch};
 use engine::{Catalog, Kind, Options, Outcome, permission};
+use engine::{Importer, NamedFiles, WriteError};
 use stage::{AnyArtifact, Artifact, Corrupt, Ctx, Files, Packer, Stage, Stop, Unpacker, erase};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;

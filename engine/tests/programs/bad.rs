@@ -2,8 +2,8 @@
 
 use crate::application::{Place, done, left, shell};
 use crate::node::installed;
-use engine::foreign::Sandbox;
 use engine::walk::Status;
+use programs::Sandbox;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -108,7 +108,7 @@ fn who_takes_for_ever_is_ended_with_all_children() {
 fn who_forks_and_stays_is_ended() {
     let place = Place::new();
     let nodes = shell("setsid sleep 4712.25 > /dev/null 2>&1 & echo a > $1", "");
-    match engine::foreign::sandbox() {
+    match programs::sandbox() {
         // It ends with its sandbox.
         Sandbox::Bubblewrap(_) => assert_eq!(place.text(&nodes), "a\n"),
         _ => {

@@ -1,7 +1,7 @@
 //! What a program cannot do in the sandbox, whoever it is started by. Each line here got through once.
 
 use crate::application::{Place, left, shell};
-use engine::foreign::{Sandbox, sandbox};
+use programs::{Sandbox, sandbox};
 use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
 

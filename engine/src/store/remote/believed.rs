@@ -2,7 +2,6 @@
 
 use super::framed::Framed;
 use super::link::Link;
-use super::seal::{former_message, message, plan_message};
 use stage::Hash;
 use std::sync::atomic::Ordering;
 
@@ -74,4 +73,21 @@ impl Link {
             ));
         }
     }
+}
+
+/// What is signed of a record: its key and its file, in which the hash of its result is.
+fn message(key: Hash, file: &[u8]) -> Vec<u8> {
+    let head = b"stage shared record 1\n";
+    [head, key.as_bytes().as_slice(), file].concat()
+}
+
+/// What is signed of a plan: its name, which is its hash.
+fn plan_message(name: &str) -> Vec<u8> {
+    [b"stage shared plan 1\n", name.as_bytes()].concat()
+}
+
+/// What was signed while the engine bore the name of its first product.
+fn former_message(key: Hash, file: &[u8]) -> Vec<u8> {
+    let head = b"tailor shared record 1\n";
+    [head, key.as_bytes().as_slice(), file].concat()
 }

@@ -10,6 +10,7 @@
 //! The nonce shows who wrote it, where an answer was lost. All that is read is data from strangers.
 
 use super::super::record::{Record, Unread, parse as parse_record};
+use buckets::SMALL_BYTES;
 use stage::Hash;
 
 const MAGIC: &str = "stage shared ";
@@ -22,7 +23,7 @@ const VERSION: &str = "1";
 const SIGNED: &str = "2";
 
 /// Results up to this size ride in the record; in tests less, where only that there are larger ones counts. \[bytes\]
-pub(crate) const SMALL: usize = if cfg!(test) { 1 << 10 } else { 64 << 10 };
+pub(crate) const SMALL: usize = if cfg!(test) { 1 << 10 } else { SMALL_BYTES };
 
 /// No record with its small result is larger. \[bytes\]
 pub(super) const MOST: usize = 8 << 20;

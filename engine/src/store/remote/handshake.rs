@@ -1,6 +1,6 @@
 //! Getting to know a place: whether it is there, whose it is, and whether it keeps its word.
 
-use super::objects::{Created, Objects, Trouble, whole};
+use buckets::{Created, Objects, Trouble, whole};
 use stage::Hash;
 use std::thread::Builder;
 
@@ -29,12 +29,12 @@ pub enum Honest {
 pub(in crate::store) fn fresh() -> Hash {
     use std::sync::atomic::{AtomicU64, Ordering};
     #[cfg(test)]
-    if let Some(count) = crate::clock::simulated::count() {
+    if let Some(count) = system::clock::simulated::count() {
         return blake3::hash(&count.to_le_bytes());
     }
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let count = COUNT.fetch_add(1, Ordering::Relaxed);
-    let (id, now) = (std::process::id(), crate::clock::now_ns());
+    let (id, now) = (std::process::id(), system::clock::now_ns());
     // Seeded by the system, each differently.
     let system = std::hash::BuildHasher::hash_one(&std::hash::RandomState::new(), count);
     blake3::hash(format!("{id} {count} {now} {system}").as_bytes())
@@ -131,7 +131,7 @@ pub(super) fn probe(objects: &dyn Objects) -> Result<Honest, Trouble> {
     let one = |n: u8| format!("{n} {}", fresh().to_hex()).into_bytes();
     let texts = [one(1), one(2)];
     let create = |text: &Vec<u8>| objects.create(&name, text);
-    let came = match crate::clock::is_simulated() {
+    let came = match system::clock::is_simulated() {
         true => [create(&texts[0]), create(&texts[1])],
         false => std::thread::scope(|scope| {
             // Without a thread of its own the first one comes after the second.

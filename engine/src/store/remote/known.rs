@@ -3,11 +3,11 @@
 //! `shared/TAG` in the store: the identity of the shared store, then keys of 32 bytes, appended. A shared
 //! store that was made anew or swept has another identity, and then nothing is known.
 
-use crate::system::private_file;
 use std::collections::HashSet;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use system::private_file;
 
 /// The keys that are known to be there.
 #[derive(Debug, Default)]
@@ -24,7 +24,7 @@ impl Known {
         let bytes = std::fs::read(&file).unwrap_or_default();
         let (chunks, _) = bytes.as_chunks::<32>();
         if chunks.first() != Some(&identity) {
-            let _ = crate::system::private_folder(&folder, true);
+            let _ = system::private_folder(&folder, true);
             let _ = std::fs::remove_file(&file);
             append(&file, &identity);
         }

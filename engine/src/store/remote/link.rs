@@ -3,18 +3,17 @@
 //! A place that does not answer is left alone for a while, longer each time, and reported once: whoever runs
 //! goes on without it.
 
+use super::beside::is_beside;
 use super::handshake::{self, Honest, Identity};
 use super::inventory::Inventory;
 use super::known::Known;
-use super::objects::{Objects, Trouble};
-use super::patience::{Patience, is_beside};
-use super::seal::Seal;
-use crate::clock;
+use buckets::{Objects, Patience, Seal, Trouble};
 use std::collections::{BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
+use system::clock;
 
 /// Reports a line to the user.
 pub type Report = Box<dyn Fn(&str) + Send + Sync>;

@@ -2,13 +2,13 @@
 
 use super::inventory::Inventory;
 use super::link::Link;
-use super::objects::Trouble;
-use crate::clock;
 use crate::store::Store;
+use buckets::Trouble;
 use stage::Hash;
 use std::collections::HashSet;
 use std::sync::Arc;
 use std::time::Duration;
+use system::clock;
 
 /// So many records that are not there are asked for one by one; then a listing is worth it.
 const ASKED: usize = 8;

@@ -1,9 +1,9 @@
 //! Uploads of this process rest while it sweeps: what is forgotten is not put there again by who has read it before.
 
 use super::link::Link;
-use crate::clock;
 use std::sync::Arc;
 use std::time::Duration;
+use system::clock;
 
 /// As long as it is there, nothing of this process is uploaded.
 pub(in crate::store) struct Paused(Arc<Link>);

@@ -1,9 +1,9 @@
 //! Plans in a shared store: `plans/NAME`, named by their hash, and `plans/NAME.seal`, who vouches for them.
 
 use super::link::Link;
-use super::objects::{Created, Trouble, whole};
 use crate::own;
 use crate::store::{Store, StoreError};
+use buckets::{Created, Trouble, whole};
 use stage::Hash;
 
 const FOLDER: &str = "plans";

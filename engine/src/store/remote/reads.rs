@@ -4,14 +4,14 @@ use super::super::files::{self, Care};
 use super::super::record::{Origin, Unread};
 use super::framed::{self, Framed, MOST_BLOB};
 use super::link::Link;
-use super::objects::{Got, Trouble, at_most};
-use crate::clock;
 use crate::own;
 use crate::store::Store;
+use buckets::{Got, Trouble, at_most};
 use stage::Hash;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::Builder;
+use system::clock;
 
 /// Requests under way at a time, where many records are wanted.
 const AT_A_TIME: usize = 16;

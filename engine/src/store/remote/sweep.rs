@@ -2,8 +2,8 @@
 
 use super::handshake::{self, Honest, fresh};
 use super::link::Link;
-use super::objects::{Object, Objects, Trouble};
 use super::uploads::Sharing;
+use buckets::{FOLDERS, Object, Objects, Trouble};
 use std::time::{Duration, Instant, SystemTime};
 
 /// A shared store, looked at.
@@ -38,9 +38,6 @@ pub struct SweptThere {
     pub bytes: u64,
 }
 
-/// What is swept, in this order: a record never outlives its blob for long.
-pub(super) const FOLDERS: [&str; 4] = ["ac", "cas", "plans", "probe"];
-
 impl Sharing {
     /// Looks at the place.
     ///
@@ -72,7 +69,7 @@ impl Sharing {
                 let now = now
                     .duration_since(SystemTime::UNIX_EPOCH)
                     .unwrap_or_default();
-                let ahead = (now.as_nanos() as i128 - crate::clock::now_ns()) as f64 / 1e9;
+                let ahead = (now.as_nanos() as i128 - system::clock::now_ns()) as f64 / 1e9;
                 (Some(link.honest()?), ahead)
             }
         };

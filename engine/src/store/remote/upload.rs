@@ -4,11 +4,11 @@ use super::super::record::{Origin, Unread};
 use super::framed::{self, SMALL};
 use super::handshake::{Honest, fresh};
 use super::link::Link;
-use super::objects::{Created, Trouble};
 use super::reads::{Theirs, object};
-use crate::clock;
 use crate::store::{Blob, Record, Store};
+use buckets::{Created, Trouble};
 use stage::Hash;
+use system::clock;
 
 /// What came of it.
 #[derive(Debug, Clone, PartialEq, Eq)]

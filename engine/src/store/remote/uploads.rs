@@ -1,19 +1,20 @@
 //! Who uploads: some threads beside the work, for as long as a process uses a shared store.
 
+use super::beside::{beside, threads};
 use super::joined;
 use super::link::{Link, MOST_QUEUED, Report};
-use super::objects::{Objects, Trouble};
-use super::patience::{Patience, beside, threads};
-use super::seal::Seal;
 use super::upload::{Came, upload};
 use super::waiting;
-use crate::clock;
 use crate::store::{Store, StoreError};
+use buckets::Patience;
+use buckets::Seal;
+use buckets::{Objects, Trouble};
 use stage::Hash;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+use system::clock;
 
 /// Uploads under way at a time; each holds a result in memory.
 const THREADS: usize = 4;

@@ -3,7 +3,7 @@
 use super::field::{Field, Point};
 use super::plotted::{Plot, file};
 use super::svg::{Svg, ramp, wide};
-use engine::text::short;
+use system::text::short;
 
 /// Size of a cell. \[px\]
 const CELL: [f64; 2] = [46.0, 26.0];

@@ -3,7 +3,7 @@
 use super::field::{Field, Metric, Point, Reported};
 use super::plotted::{Plot, Reference, file};
 use super::svg::{COLORS, SOFT, Svg, wide};
-use engine::text::short;
+use system::text::short;
 
 /// Size of a plot, and what is left free right and above. \[px\]
 const WIDE: f64 = 340.0;

@@ -1,6 +1,6 @@
 //! Where a value is on an axis.
 
-use engine::text::short;
+use system::text::short;
 
 /// An axis: numbers by size, or words in their order.
 #[derive(Debug, Clone)]
