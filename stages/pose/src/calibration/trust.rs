@@ -112,8 +112,8 @@ pub(crate) fn nudged(photos: &Photos, scene: &Scene) -> Vec<Message> {
     turned(&scene.shots).into_iter().map(warning).collect()
 }
 
-/// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera. By hand: not on
-/// record.
+/// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera. By hand: looked
+/// at five captures, halved and doubled: nothing changes, for none has a camera that was nudged (docs/lab/numbers.md).
 const MOVED_SHARE: f64 = 0.01;
 
 /// Cameras before which the disk's centre is elsewhere than before most, and by what angle. \[°\]
@@ -129,7 +129,8 @@ fn turned(shots: &[Shot]) -> Vec<(usize, f64)> {
         .collect()
 }
 
-/// A disk that turned by less than this did not turn. By hand: not on record. \[°\]
+/// A disk that turned by less than this did not turn. By hand: looked at three captures, halved and doubled: nothing
+/// changes, for none has a photo twice (docs/lab/numbers.md). \[°\]
 const STILL_DEG: f64 = 0.5;
 
 /// Between which photos the disk, seen by its mat, did not turn or turned otherwise than between

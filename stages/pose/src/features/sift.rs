@@ -17,6 +17,7 @@ stage::params! {
     pub struct SiftParams {
         /// Least contrast of a feature, in levels of 255.
         #[range(0.1..=50.0)]
+        #[source(by_hand = "three captures: halved, ground +2.4 mm for one; doubled, ground +3.2 to +19.2 mm for two (docs/lab/numbers.md)")]
         contrast: f64 = 1.6,
         /// Greatest ratio of curvatures: beyond, a point is on an edge.
         #[range(1.5..=100.0)]

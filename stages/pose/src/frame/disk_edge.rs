@@ -25,7 +25,8 @@ const LEAST_STEP_LEVELS: f64 = 0.5;
 /// Points around the edge (structural: samples).
 const AROUND: usize = 96;
 
-/// How far to both sides of an edge to look that may be between circles tried. By hand: not on record. \[px\]
+/// How far to both sides of an edge to look that may be between circles tried. By hand: looked at two captures, halved
+/// and doubled: no more than chance (docs/lab/numbers.md). \[px\]
 const WIDE: f64 = 4.0;
 /// Circles tried along heights and along radii (structural: samples of a search).
 const STEPS: usize = 70;
@@ -33,7 +34,8 @@ const STEPS: usize = 70;
 /// It is structural: the width of a search.
 const PEAKS: usize = 100;
 /// A quarter of a disk's steps may be less than this share of their mean: other edges of the background, a skirting
-/// board's, follow a circle for a part of it. By hand: not on record.
+/// board's, follow a circle for a part of it. By hand: looked at six captures: halved, nothing changes; doubled, ground
+/// −3.1 mm for one (docs/lab/numbers.md).
 const LEAST_QUARTER_SHARE: f64 = 0.25;
 
 /// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges

@@ -19,9 +19,11 @@ const LINES: usize = 12;
 const LEAST_ARCS: usize = ARCS / 2;
 /// Rounds of circle and profiles (structural: the second hardly changes it).
 const ROUNDS: usize = 3;
-/// How far to both sides of an edge it is looked whether it grows brighter. By hand: not on record. \[px\]
+/// How far to both sides of an edge it is looked whether it grows brighter. By hand: looked at six captures: halved, no
+/// more than chance; doubled, size +0.78 % for one (docs/lab/numbers.md). \[px\]
 pub(super) const NEAR: f64 = 1.5;
-/// Least standard deviation of an arc's edge. By hand: not on record. \[px\]
+/// Least standard deviation of an arc's edge. By hand: looked at six captures, halved and doubled: no more than chance
+/// (docs/lab/numbers.md). \[px\]
 const LEAST_SIGMA_PX: f64 = 0.1;
 
 /// An arc of the circle: light across it, outwards, and by how much it would move there were the circle higher and wider

@@ -51,7 +51,8 @@ pub(crate) struct Seen {
     pub(crate) by_soles: bool,
 }
 
-/// Standard deviation of a stature that is given and silhouettes show, as a share. By hand: not on record.
+/// Standard deviation of a stature that is given and silhouettes show, as a share. By hand: looked at six captures,
+/// halved and doubled: no more than chance (docs/lab/numbers.md).
 const STATURE_SIGMA: f64 = 0.003;
 /// The same of what rounded soles hide of it: they seem to be higher than they are. By hand: looked at on a made figure
 /// with feet like balls, 1.0 %; a shoe's edge is sharper. Where disk, tags or a floor give the ground, nothing is

@@ -28,12 +28,15 @@ stage::params! {
         /// The step of brightness at the disk's edge must be so many times as large as at other
         /// circles.
         #[range(1.0..=100.0)]
+        #[source(by_hand = "six captures, halved and doubled: nothing changes, for all edges are clear enough (docs/lab/numbers.md)")]
         least_standout: f64 = 4.0,
         /// Two lengths do not contradict each other, however sure they are, if they disagree by no more than this share.
         #[range(0.001..=0.5)]
+        #[source(by_hand = "ten captures, halved and doubled: nothing changes, for no two lengths disagree so far (docs/lab/numbers.md)")]
         disagreement: f64 = 0.02,
         /// Without a mat: two lengths that disagree by more than this share are no scale.
         #[range(0.05..=10.0)]
+        #[source(by_hand = "ten captures, halved and doubled: nothing changes, for no two lengths contradict each other (docs/lab/numbers.md)")]
         contradiction: f64 = 0.2,
         /// Size to which photos are reduced before the disk is searched.
         #[range(200..=4000)]

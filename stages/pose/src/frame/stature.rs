@@ -16,7 +16,8 @@ pub struct Stature {
     pub ground_spread: f64,
 }
 
-/// Share of the silhouette's rows from below that hold the feet only. By hand: not on record.
+/// Share of the silhouette's rows from below that hold the feet only. By hand: looked at nine captures, halved and
+/// doubled: no more than chance (docs/lab/numbers.md).
 const FEET_SHARE: f64 = 0.05;
 
 /// Radius of the head about its crown, as a share of stature: a ray that touches a ball from below crosses its middle

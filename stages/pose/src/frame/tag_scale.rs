@@ -30,10 +30,12 @@ pub(crate) struct Known<'a> {
     pub(crate) most_px: f64,
 }
 
-/// A side of a printed square seems so much longer or shorter, by exposure and blur. By hand: not on record. \[px\]
+/// A side of a printed square seems so much longer or shorter, by exposure and blur. By hand: looked at one capture,
+/// halved and doubled: no more than chance (docs/lab/numbers.md). \[px\]
 const BLOOM_PX: f64 = 0.3;
 
-/// No scale is surer than this share: what is printed or measured, and its reading. By hand: not on record.
+/// No scale is surer than this share: what is printed or measured, and its reading. By hand: looked at two captures,
+/// halved and doubled: no more than chance (docs/lab/numbers.md).
 pub(super) const LEAST_SCALE_SIGMA: f64 = 0.001;
 
 /// How long a unit is. `None` where no tag is seen well enough from two sides.

@@ -13,11 +13,14 @@ stage::messages! {
     UNSURE = "warn-points-unsure": "the length between the two points of [reference] has a standard deviation of {sigma:.0 %}: point at two that are farther apart, in more photos; the length was passed over";
 }
 
-/// Standard deviation of a pointed pixel, of each coordinate. By hand: not on record. \[px\]
+/// Standard deviation of a pointed pixel, of each coordinate. By hand: looked at one capture, halved and doubled: no
+/// more than chance (docs/lab/numbers.md). \[px\]
 const POINTED_PX: f64 = 2.0;
-/// Rays that miss by more than so many of those, root mean square, belong to no one point. By hand: not on record.
+/// Rays that miss by more than so many of those, root mean square, belong to no one point. By hand: looked at one
+/// capture, halved and doubled: nothing changes, for its two points are good (docs/lab/numbers.md).
 const MOST_MISS_SIGMAS: f64 = 5.0;
-/// A length that is less sure than this share is not used. By hand: not on record.
+/// A length that is less sure than this share is not used. By hand: looked at one capture, halved and doubled: nothing
+/// changes, for its two points are good (docs/lab/numbers.md).
 const UNSUREST_SHARE: f64 = 0.2;
 
 /// The length in the cameras' unit.

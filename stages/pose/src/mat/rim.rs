@@ -19,15 +19,20 @@ stage::messages! {
     MISFIT = "warn-rim-off": "the tags on the disk's rim are {rim:.2 px} from where they should be, those on the disk {mat:.2 px}: they were left out; measure a printed tag and the disk, and check `tag_size_mm` and `radius_mm` of `[rim]`";
 }
 
-/// How far along the rim and how deep a tag may sit from where it seems to at first. By hand: not on record. \[mm\]
+/// How far along the rim and how deep a tag may sit from where it seems to at first. By hand: looked at one capture,
+/// halved and doubled: no more than chance (docs/lab/numbers.md). \[mm\]
 pub(crate) const GLUE_MM: f64 = 5.0;
-/// A tag that is seen more aslant than this (cosine) is left out. By hand: not on record.
+/// A tag that is seen more aslant than this (cosine) is left out. By hand: looked at one capture: halved, rotations
+/// +0.02°; doubled, no more than chance (docs/lab/numbers.md).
 const LEAST_FACING: f64 = 0.45;
-/// And one with a side shorter than this: 1.25 pixels a module. By hand: not on record. \[px\]
+/// And one with a side shorter than this: 1.25 pixels a module. By hand: looked at one capture: halved, nothing
+/// changes; doubled, rotations +0.02° (docs/lab/numbers.md). \[px\]
 const SHORTEST_PX: f64 = 10.0;
-/// Fewest observations of tags that are worth it. By hand: not on record.
+/// Fewest observations of tags that are worth it. By hand: looked at one capture, halved and doubled: nothing changes,
+/// for its tags are seen more often (docs/lab/numbers.md).
 const LEAST_SIGHTINGS: usize = 8;
-/// Corners that scatter more than this are not of the strip that was given. By hand: not on record. \[px\]
+/// Corners that scatter more than this are not of the strip that was given. By hand: looked at one capture, halved and
+/// doubled: nothing changes, for its strip is the one that was given (docs/lab/numbers.md). \[px\]
 const MOST_SCATTER_PX: f64 = 0.4;
 
 /// Cameras that know the rim, too.

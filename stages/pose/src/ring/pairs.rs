@@ -6,7 +6,8 @@ use shape::{Observation, Tracks};
 
 /// How far apart in the turn photos are compared (derived: over so many steps features are followed).
 const PHOTOS_APART: usize = 3;
-/// Fewest features that hold a camera, or that a pair of photos has in common. By hand: not on record.
+/// Fewest features that hold a camera, or that a pair of photos has in common. By hand: looked at two captures, halved
+/// and doubled: nothing changes, for both have enough (docs/lab/numbers.md).
 pub(crate) const LEAST_FEATURES: usize = 12;
 
 /// The pairs of photos with enough in common, pixels from the photo's middle; the turn may close. Features that move by

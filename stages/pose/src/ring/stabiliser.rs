@@ -7,7 +7,8 @@ use shape::{ByPhoto, Cameras, Gray, Photo, Photos, Placed, Tracks, registered};
 /// Size to which photos are reduced before they are laid on each other (structural: a cap on work). \[px\]
 const LONGEST_PX: u32 = 1200;
 /// Longest way of a corner that a stabiliser goes, as a share of a photo's longer side: what went further is a camera
-/// that was moved. By hand: not on record.
+/// that was moved. By hand: looked at two captures, halved and doubled: nothing changes, for a stabiliser shifted both
+/// by less (docs/lab/numbers.md).
 const FARTHEST_SHARE: f64 = 0.005;
 
 /// How photos of a turn map to the place that they have in common. `None` where all are there, or the background does not show it:

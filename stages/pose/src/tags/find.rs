@@ -23,6 +23,7 @@ stage::params! {
         decimate: f64 = 1.0,
         /// Wrong bits of a tag that are corrected.
         #[range(0..=3)]
+        #[source(by_hand = "four captures: halved, rotations −0.01° for one; doubled, no more than chance (docs/lab/numbers.md)")]
         correct_bits: u32 = 1,
         /// Most photos that are searched, spread over the turn; 0 for all.
         #[range(0..=5000)]

@@ -14,7 +14,8 @@ use shape::{Intrinsics, PhotoId};
 const LEAST_POINTS: usize = 30;
 /// How many pairs are looked at (structural: the width of a search).
 const PAIRS: usize = 40;
-/// Points seen at this angle are worth most. By hand: not on record. \[rad\]
+/// Points seen at this angle are worth most. By hand: looked at one capture, halved and doubled: no more than chance
+/// (docs/lab/numbers.md). \[rad\]
 const WIDE_RAD: f64 = 0.15;
 
 /// The photos of a pair, and how many features they share.

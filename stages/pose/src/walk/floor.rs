@@ -4,12 +4,14 @@ use crate::frame::placed_tag::LEVEL_RAD;
 use crate::two_view::epipolar::draws;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// How thick a floor is, as a share of the cameras' distance. By hand: not on record.
+/// How thick a floor is, as a share of the cameras' distance. By hand: looked at one capture, halved and doubled:
+/// nothing changes, for no floor is found (docs/lab/numbers.md).
 const THICK_SHARE: f64 = 0.01;
-/// Least share of the points near the subject that are on the floor, and of those under it at most. By hand: not on
-/// record.
+/// Least share of the points near the subject that are on the floor, and of those under it at most. By hand: looked at
+/// one capture, halved and doubled: nothing changes, for no floor is found (docs/lab/numbers.md).
 const SHARES: [f64; 2] = [0.08, 0.03];
-/// Fewest points of a floor. By hand: not on record.
+/// Fewest points of a floor. By hand: looked at one capture, halved and doubled: nothing changes, for no floor is found
+/// (docs/lab/numbers.md).
 const LEAST_POINTS: usize = 50;
 
 /// The lowest plane that is nearly level and holds many points within `reach` of the origin, as its

@@ -33,7 +33,8 @@ pub(crate) struct Groups {
     pub(crate) factors: Vec<f64>,
 }
 
-/// Standard deviation of a focal length of which nothing is known, as a share. By hand: not on record.
+/// Standard deviation of a focal length of which nothing is known, as a share. By hand: looked at one capture, halved
+/// and doubled: no more than chance (docs/lab/numbers.md).
 const UNKNOWN_SIGMA: f64 = 0.5;
 
 /// How a photo is turned upright, mirrored ones as they are.

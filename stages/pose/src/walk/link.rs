@@ -50,6 +50,7 @@ stage::params! {
         still_px: f64 = 3.0 * WalkParams::default().feature_px,
         /// Least share of what photos have in common that must move in the picture.
         #[range(0.0..=1.0)]
+        #[source(by_hand = "one capture: halved, nothing changes; doubled, no cameras for one (docs/lab/numbers.md)")]
         least_moving: f64 = 0.5,
         /// Fewest matches that hold two photos together.
         #[range(8..=1000)]

@@ -27,6 +27,7 @@ stage::params! {
     pub struct WalkParams {
         /// How sure EXIF's focal length is, as a share of it: phones crop and stabilise.
         #[range(0.0005..=0.5)]
+        #[source(by_hand = "one capture, halved and doubled: no more than chance (docs/lab/numbers.md)")]
         focal_sigma: f64 = 0.15,
         /// How sure a focal length in pixels of capture.toml is, as a share of it.
         #[range(0.00001..=0.1)]
@@ -34,6 +35,7 @@ stage::params! {
         given_focal: f64 = CalibrateParams::default().given_focal,
         /// How far the principal point may be from the photo's middle, as a share of its longer side.
         #[range(0.0001..=0.2)]
+        #[source(by_hand = "one capture, halved and doubled: no more than chance (docs/lab/numbers.md)")]
         centre_sigma: f64 = 0.01,
         /// How sure a principal point of capture.toml is.
         #[range(0.01..=100.0)]
@@ -41,9 +43,11 @@ stage::params! {
         given_centre_px: f64 = CalibrateParams::default().given_centre_px,
         /// How strong radial distortion may be.
         #[range(0.0001..=1.0)]
+        #[source(by_hand = "one capture, halved and doubled: no more than chance (docs/lab/numbers.md)")]
         radial_sigma: f64 = 0.1,
         /// How far focusing may change the focal length from photo to photo, as a share.
         #[range(0.000001..=0.1)]
+        #[source(by_hand = "one capture: halved, no more than chance; doubled, centres +1.13 ‰ (docs/lab/numbers.md)")]
         zoom_sigma: f64 = 0.0005,
         /// Least standard deviation of a feature.
         #[range(0.05..=5.0)]
@@ -51,6 +55,7 @@ stage::params! {
         feature_px: f64 = 0.5,
         /// Residuals beyond this many standard deviations lose weight.
         #[range(0.5..=20.0)]
+        #[source(by_hand = "one capture, halved and doubled: no more than chance (docs/lab/numbers.md)")]
         loss: f64 = 1.0,
         /// Features further from where they should be are left out; in proportion more on photos of
         /// more than 2400 pixels.
@@ -64,12 +69,15 @@ stage::params! {
         most_px: f64 = CalibrateParams::default().most_px,
         /// Fewest points that hold a camera.
         #[range(6..=1000)]
+        #[source(by_hand = "one capture, halved and doubled: nothing changes, for its photos share more (docs/lab/numbers.md)")]
         least: u32 = 20,
         /// Least share of the points a photo shows that must agree with its camera.
         #[range(0.01..=1.0)]
+        #[source(by_hand = "one capture, halved and doubled: no more than chance (docs/lab/numbers.md)")]
         least_share: f64 = 0.25,
         /// Least share of the photos that must have a camera.
         #[range(0.1..=1.0)]
+        #[source(by_hand = "one capture, halved and doubled: nothing changes, for all have cameras (docs/lab/numbers.md)")]
         least_photos: f64 = 0.75,
         /// Most samples of a photo's RANSAC.
         #[range(10..=100000)]

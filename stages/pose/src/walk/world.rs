@@ -18,9 +18,10 @@ pub struct World {
 }
 
 /// How strongly the photos' own upright counts against their horizontals: it decides only where horizontals leave it
-/// open. By hand: not on record.
+/// open. By hand: looked at one capture, halved and doubled: no more than chance (docs/lab/numbers.md).
 const OWN_WEIGHT: f64 = 0.01;
-/// Axes whose spread is to this share along one direction point one way. By hand: not on record.
+/// Axes whose spread is to this share along one direction point one way. By hand: looked at one capture, halved and
+/// doubled: nothing changes, for its photos are upright (docs/lab/numbers.md).
 const ONE_WAY_SHARE: f64 = 0.9;
 /// Rounds of reweighting (structural: a search's end).
 const ROUNDS: usize = 10;
