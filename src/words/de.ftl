@@ -486,7 +486,7 @@ files-video = { $count ->
     [one] ein Video
    *[other] { $count } Videos
 } ({ $files }{ $more })
-find-arms = was sich bewegt, reicht an beide Seiten: Arme sind vielleicht abgeschnitten, oder hinter der Person gehen andere
+find-arms = was sich bewegt, reicht an beide Seiten: Es ist vielleicht abgeschnitten, oder dahinter gehen Personen
 find-arms-mend = zurücktreten und den Hintergrund ruhig halten
 find-black = auf einem Zehntel des Bildes oder mehr schwarz
 find-blurred = unscharf neben den anderen
@@ -523,8 +523,8 @@ find-from-reference-tag = bekannte Länge (Größe einer Marke)
 find-from-stature = Körpergröße
 find-gap = das nächste Foto unterscheidet sich weit mehr als sonst
 find-gap-mend = nachsehen, ob dort ein Foto fehlt
-find-head = was sich bewegt, reicht an den oberen Rand: Der Kopf ist vielleicht abgeschnitten
-find-head-mend = über dem Kopf Platz lassen
+find-head = was sich bewegt, reicht an den oberen Rand: Oben ist vielleicht etwas abgeschnitten
+find-head-mend = darüber Platz lassen
 find-length = keine Länge ist bekannt: Längen werden relativ
 find-length-mend = Körpergröße oder Drehscheibe angeben oder eine Matte auf die Scheibe legen
 find-lost-mend = mit fester Belichtung noch einmal aufnehmen
@@ -543,8 +543,6 @@ find-same = zwischen diesen Fotos und dem nächsten drehte sich nichts
 find-same-mend = von je zweien eines weglassen
 find-shuffled = aufeinander folgende Fotos ähneln einander nicht mehr als beliebige zwei: Sie folgen nicht der Drehung
 find-shuffled-mend = die Fotos in der Reihenfolge der Drehung benennen und noch einmal übergeben
-find-stranger = ähnelt einem weit entfernten weit mehr als seinen Nachbarn
-find-stranger-mend = nachsehen, ob diese Fotos an ihrem Platz sind
 find-tags = auf einem Foto lesbar: nur { $read } von { $all } Marken der Matte
 find-tags-mend = sie sind im Bild zu klein, unscharf oder verdeckt: die Dateien übergeben, wie die Kamera sie schrieb, näher herangehen oder eine Matte mit weniger, größeren Marken drucken
 find-uneven = von { $low } bis { $high } gegen die mittlere belichtet

@@ -384,7 +384,6 @@ fail-walk-open = the cameras leave { $gap } around the person open: walk all the
 fail-walk-still = the camera did not walk: of what the photos have in common, { $still } features do not move in the picture and only { $moved } move; if the person turned before a camera on a tripod, take away the mark at “the camera was walked around” above
 fail-walk-unsettled = the outlines do not settle: those of the last two passes share only { $share } ({ $least } are asked for): take the photos before another background
 fail-walk-views = only { $found } photos have a camera, but to separate a person from the background by a walk around takes at least { $least }: take more photos, all the way round
-find-arms = what moves reaches both sides: arms may be cut off, or people walk behind the person
 find-can-features = from what turns with the person: clothes with a pattern, a patterned cloth on the disk
 find-can-ratios = yes, with ratios; the body mass index wants weight and stature
 find-can-turning = a person turns before a fixed camera: without a disk, measure so, with the stature

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 type ByHand = (&'static str, [usize; 2]);
 
 const CONSTANTS_BY_HAND: [ByHand; 12] = [
-    ("capture", [6, 27]),
+    ("capture", [6, 26]),
     ("follow", [0, 10]),
     ("hull", [2, 1]),
     ("io", [0, 4]),

@@ -58,7 +58,6 @@ pub use program::ProgramError;
 pub use raw::{Raw, RawError, RawInput, RawParams};
 pub use rig::{RigFile, read_rig};
 pub use scan::{SCANS, is_scan};
-pub use sharpness::{best, sharpness};
 pub use surface::{Surface, SurfaceError, SurfaceInput, SurfaceParams, Unit, Up};
 pub use verdict::{Finding, Grade};
 pub use video::{Video, VideoError, VideoInput, VideoParams};

@@ -12,9 +12,9 @@ use crate::odd::seen_in_pictures;
 use crate::ordered::in_order;
 use crate::photo::{header, photo};
 use crate::rig::{RigFile, read_rig};
-use crate::sharpness::{best, sharpness};
+use crate::sharpness::{Sharpness, against_the_middle, best, sharpness};
 use crate::smaller::{factor, on_smaller, plate_too, smaller};
-use crate::verdict::{Grade, Seen, against_the_middle};
+use crate::verdict::{Grade, Seen};
 use rayon::prelude::*;
 use shape::{Photo, Photos};
 use stage::{Ctx, FileEntry, Files, Stage, Stop, message};
@@ -87,7 +87,7 @@ pub struct Load;
 
 impl Stage for Load {
     const NAME: &'static str = "capture.load";
-    const VERSION: u32 = 15;
+    const VERSION: u32 = 16;
     const ABOUT: &'static str =
         "Reads the photos of one turn, their EXIF, capture.toml and the plate.";
     type Params = LoadParams;
@@ -116,7 +116,7 @@ impl Stage for Load {
         }
         let steps = ctx.steps("photos", photos.len());
         let longest = photos.first().map_or(0, |p| p.width.max(p.height));
-        let read = |head: Photo| -> Result<(Photo, Option<(Glance, f64)>), Stop> {
+        let read = |head: Photo| -> Result<(Photo, Option<(Glance, Sharpness)>), Stop> {
             let (photo, pixels) = photo(head)?;
             let seen = p.stop.then(|| (glance(&pixels), sharpness(&pixels)));
             steps.tick()?;
@@ -162,15 +162,20 @@ impl Stage for Load {
 }
 
 /// Warns of what is odd about photos; fails where nothing will come of them.
-fn looked_at(photos: &Photos, seen: Vec<(Glance, f64)>, ctx: &Ctx<'_>) -> Result<(), CaptureError> {
-    let (glances, sharp): (Vec<Glance>, Vec<f64>) = seen.into_iter().unzip();
+fn looked_at(
+    photos: &Photos,
+    seen: Vec<(Glance, Sharpness)>,
+    ctx: &Ctx<'_>,
+) -> Result<(), CaptureError> {
+    let (glances, sharp): (Vec<Glance>, Vec<_>) = seen.into_iter().unzip();
     let together = together(&glances);
     let mut findings = seen_in_pictures(&Seen {
         photos,
         glances: &glances,
         together: &together,
-        sharpness: &against_the_middle(&sharp),
+        sharpness: &sharp,
         tags: None,
+        people: None,
     });
     // A plate that cannot be decoded is refused where it is used.
     let noise = of_photos(photos, &together).ok().flatten();
@@ -207,7 +212,7 @@ fn of_files(p: &LoadParams, files: &Files, known: &RigFile, ctx: &Ctx<'_>) -> Re
     for (copy, first) in &copies {
         ctx.warn(message!(SAME_FILE, copy = copy, first = first));
     }
-    let sharp = |entry: &&FileEntry| -> Result<f64, Stop> {
+    let sharp = |entry: &&FileEntry| -> Result<Sharpness, Stop> {
         let photo = header(&entry.name, &entry.name, files.read(entry)?)?;
         Ok(sharpness(&photo.decode()?))
     };
@@ -232,7 +237,7 @@ fn of_frames(
     known: &RigFile,
     ctx: &Ctx<'_>,
 ) -> Result<Turn, Stop> {
-    let sharp = |photo: &Photo| -> Result<f64, Stop> { Ok(sharpness(&photo.decode()?)) };
+    let sharp = |photo: &Photo| -> Result<Sharpness, Stop> { Ok(sharpness(&photo.decode()?)) };
     let (photos, even) = chosen(p, frames.photos.clone(), &[], known, sharp, ctx)?;
     let file = plate_of(files, known)?;
     let file = file.map(|entry| empty(files, entry)).transpose()?;
@@ -266,7 +271,7 @@ fn chosen<T: Sync>(
     turn: Vec<T>,
     copies: &[(String, String)],
     known: &RigFile,
-    sharp: impl Fn(&T) -> Result<f64, Stop> + Sync,
+    sharp: impl Fn(&T) -> Result<Sharpness, Stop> + Sync,
     ctx: &Ctx<'_>,
 ) -> Result<(Vec<T>, Option<usize>), Stop> {
     as_many_as_promised(turn.len(), copies, known.views)?;
@@ -279,13 +284,13 @@ fn chosen<T: Sync>(
         return Ok((turn, even));
     }
     let steps = ctx.steps("sharpness", turn.len());
-    let sharp = |one: &T| -> Result<f64, Stop> {
+    let sharp = |one: &T| -> Result<Sharpness, Stop> {
         let sharp = sharp(one)?;
         steps.tick()?;
         Ok(sharp)
     };
-    let sharp: Vec<f64> = in_order(turn.par_iter().map(sharp))?;
-    let places = best(&sharp, most);
+    let sharp: Vec<Sharpness> = in_order(turn.par_iter().map(sharp))?;
+    let places = best(&against_the_middle(&sharp), most);
     ctx.warn(message!(TOO_MANY, count = turn.len(), most = most));
     let taken = turn.into_iter().enumerate();
     let taken = taken

@@ -6,8 +6,8 @@ use crate::glance::{Glance, glance, together};
 use crate::noise::{noisy, of_photos};
 use crate::odd::{seen_in_facts, seen_in_pictures};
 use crate::ordered::in_order;
-use crate::sharpness::sharpness;
-use crate::verdict::{Seen, against_the_middle, camera_is_fixed, can, lengths};
+use crate::sharpness::{Sharpness, against_the_middle, sharpness};
+use crate::verdict::{Seen, camera_is_fixed, can, lengths};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use shape::{Document, People, Person, Photo, Photos, Tags};
@@ -38,7 +38,7 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 13;
+    const VERSION: u32 = 14;
     const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, noise, tags, frame, feet, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;
@@ -52,14 +52,14 @@ impl Stage for Look {
             return Err(CaptureError::TooFew { found, least }.into());
         }
         let steps = ctx.steps("photos", photos.photos.len());
-        let one = |photo: &Photo| -> Result<(Glance, f64), Stop> {
+        let one = |photo: &Photo| -> Result<(Glance, Sharpness), Stop> {
             let pixels = photo.decode()?;
             let seen = (glance(&pixels), sharpness(&pixels));
             steps.tick()?;
             Ok(seen)
         };
-        let seen: Vec<(Glance, f64)> = in_order(photos.photos.par_iter().map(one))?;
-        let (glances, sharp): (Vec<Glance>, Vec<f64>) = seen.into_iter().unzip();
+        let seen: Vec<(Glance, Sharpness)> = in_order(photos.photos.par_iter().map(one))?;
+        let (glances, sharp): (Vec<Glance>, Vec<_>) = seen.into_iter().unzip();
         let together = together(&glances);
         let sharpness = against_the_middle(&sharp);
         let tags = input.tags.as_ref();
@@ -67,12 +67,13 @@ impl Stage for Look {
             photos,
             glances: &glances,
             together: &together,
-            sharpness: &sharpness,
+            sharpness: &sharp,
             tags: tags.map(|t| &**t),
+            people: input.people.as_deref(),
         };
         let mut findings = seen_in_pictures(&seen);
         findings.extend(seen_in_facts(&seen));
-        findings.extend(input.people.and_then(|people| cut_off(photos, &people)));
+        findings.extend(seen.people.and_then(|people| cut_off(photos, people)));
         let noise = of_photos(photos, &together)?;
         if let Some((levels, _)) = noise {
             ctx.metric("noise", levels, "levels");

@@ -13,8 +13,6 @@ stage::messages! {
     MOVED_MEND = "find-moved-mend": "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who does not move? Then give --walk";
     OUT_OF_ORDER = "find-shuffled": "photos side by side in order are no more alike than any two by chance: they are not in turning order";
     SHUFFLED_MEND = "find-shuffled-mend": "name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order";
-    STRANGER = "find-stranger": "far more like one far away in order than like its neighbours";
-    STRANGER_MEND = "find-stranger-mend": "look whether these photos are in their place";
     SAME = "find-same": "nothing turned between these photos and the next";
     SAME_MEND = "find-same-mend": "leave one of each two out";
     GAP = "find-gap": "the next photo differs by far more than other photos do";
@@ -28,9 +26,9 @@ stage::messages! {
     UNEVEN_MEND = "find-uneven-mend": "fix exposure and white balance (on phones: press and hold until AE/AF lock shows)";
     PIXELS = "find-pixels": "photos of {width}×{height} pixels are small";
     PIXELS_MEND = "find-pixels-mend": "hand over the camera's own files";
-    HEAD = "find-head": "what moves reaches the upper border: the head may be cut off";
-    HEAD_MEND = "find-head-mend": "leave space above the head";
-    ARMS = "find-arms": "what moves reaches both sides: arms may be cut off, or people walk behind the subject";
+    HEAD = "find-head": "what moves reaches the upper border: its top may be cut off";
+    HEAD_MEND = "find-head-mend": "leave space above it";
+    ARMS = "find-arms": "what moves reaches both sides: it may be cut off, or people walk behind it";
     ARMS_MEND = "find-arms-mend": "step back, and keep the background still";
     FEW_PHOTOS = "find-few": "{count} photos are few: without a mat features are followed over steps of 30° at most";
     FEW_MEND = "find-few-mend": "take 18 to 36 photos of a full turn, or lay a mat on the disk";
@@ -51,9 +49,6 @@ const LEAST_STILL_SHARE: f64 = 0.03;
 /// The places of neighbours are a chance's unless they are nearer by so many standard deviations (derived: of a thousand
 /// shuffled turns one is taken for an order).
 const ORDER_SIGMAS: f64 = 3.0;
-/// A photo is not where it belongs if it is so much more like one far away in order than like its neighbours: a body that
-/// is alike from two sides, or a mat, is not. By hand: not on record.
-const STRANGE_BELOW: f64 = 0.65;
 /// Exposures are uneven that differ by more than this. By hand: not on record. \[EV\]
 const UNEVEN_EV: f64 = 0.25;
 /// A photo is burnt, or drowned, by more than this share of it. By hand: not on record.
@@ -72,8 +67,8 @@ pub(crate) fn seen_in_pictures(seen: &Seen<'_>) -> Vec<Finding> {
         all: vec![],
     };
     absent(seen, &mut findings);
-    order(seen, &mut findings);
     pictures(seen, &mut findings);
+    order(seen, &mut findings);
     frame(seen, &mut findings);
     findings.all.sort_by_key(|f| f.grade as u8);
     findings.all
@@ -125,17 +120,6 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         findings.put(grade, what, mend, &[]);
         return;
     }
-    let strangers: Vec<usize> = (0..count)
-        .filter(|i| together.astray[*i] < STRANGE_BELOW)
-        .collect();
-    if !strangers.is_empty() {
-        findings.put(
-            Grade::Doubt,
-            message!(STRANGER),
-            message!(STRANGER_MEND),
-            &strangers,
-        );
-    }
     let inner = &together.steps[..count - 1];
     let usual = upper_median(inner).unwrap_or_default();
     let of = |f: &dyn Fn(f64) -> bool| -> Vec<usize> {
@@ -165,7 +149,15 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let places = |of: &dyn Fn(usize) -> bool| -> Vec<usize> {
         (0..seen.glances.len()).filter(|i| of(*i)).collect()
     };
-    let blurred = blurred(seen.sharpness);
+    // What shows no subject has fewer edges.
+    let named = |i: &usize| {
+        findings
+            .all
+            .iter()
+            .any(|f| f.photos.contains(&seen.photos.photos[*i].name))
+    };
+    let mut blurred = blurred(seen.sharpness);
+    blurred.retain(|i| !named(i));
     if !blurred.is_empty() {
         findings.put(
             Grade::Doubt,
@@ -206,9 +198,11 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     }
 }
 
-/// Whether the subject is within the picture.
+/// Whether a subject that is no person is within the picture: what cuts off a person is seen photo by photo
+/// (`silhouette.person`).
 fn frame(seen: &Seen<'_>, findings: &mut Findings<'_>) {
-    if !camera_is_fixed(seen.together) {
+    let thing = seen.people.is_some_and(|people| !people.person);
+    if !thing || !camera_is_fixed(seen.together) {
         return;
     }
     let [top, _, left, right] = seen.together.reached;

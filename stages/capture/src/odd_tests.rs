@@ -19,7 +19,6 @@ fn a_shuffled_turn_is_no_camera_in_the_hand() {
             gains: vec![],
             exposure_ev: vec![],
             steps: vec![1.0; 12],
-            astray: vec![1.0; 12],
             neighbours: 0.4,
             reached,
         };
@@ -29,6 +28,7 @@ fn a_shuffled_turn_is_no_camera_in_the_hand() {
             together: &together,
             sharpness: &[],
             tags: None,
+            people: None,
         };
         let mut findings = Findings {
             photos: &photos,

@@ -9,23 +9,43 @@ const AROUND_PHOTOS: usize = 3;
 /// A photo is blurred that is less sharp than this share of the middle one around it. By hand: not on record.
 const BLURRED_SHARE: f64 = 0.45;
 
-/// The places of blurred photos of a turn. Each is compared with those around it: a body shows more edges from one side
-/// than from another.
-pub(crate) fn blurred(sharp: &[f64]) -> Vec<usize> {
+/// How sharp a photo is along its rows, its columns and both diagonals: a camera that is knocked blurs along one of
+/// them.
+pub(crate) type Sharpness = [f64; 4];
+
+/// The places of blurred photos of a turn. Each is compared with those around it, direction by direction: a body shows
+/// more edges from one side than from another.
+pub(crate) fn blurred<const N: usize>(sharp: &[[f64; N]]) -> Vec<usize> {
     let n = sharp.len();
-    let around = |i: usize| {
+    let around = |i: usize, k: usize| {
         let near = (0..n).filter(|j| i.abs_diff(*j).min(n - i.abs_diff(*j)) <= AROUND_PHOTOS);
-        shape::upper_median(near.map(|j| sharp[j])).unwrap_or_default()
+        shape::upper_median(near.map(|j| sharp[j][k])).unwrap_or_default()
     };
-    let is = |i: &usize| sharp[*i] < BLURRED_SHARE * around(*i);
+    let is = |i: &usize| (0..N).any(|k| sharp[*i][k] < BLURRED_SHARE * around(*i, k));
     (0..n).filter(is).collect()
 }
 
-/// Mean square of the Laplacian of brightness, against the variance of brightness, over the photo in
-/// blocks of pixels: greater is sharper. 0 for a photo of one brightness.
+/// How sharp each photo is against the middle of all, in the direction in which it is least.
+pub(crate) fn against_the_middle(sharp: &[Sharpness]) -> Vec<f64> {
+    let middle = |k: usize| shape::upper_median(sharp.iter().map(|s| s[k]));
+    let middle: Vec<f64> = (0..4)
+        .map(|k| middle(k).map_or(1.0, |m| m.max(1e-12)))
+        .collect();
+    let least = |s: &Sharpness| {
+        s.iter()
+            .zip(&middle)
+            .map(|(s, m)| s / m)
+            .fold(f64::MAX, f64::min)
+    };
+    sharp.iter().map(least).collect()
+}
+
+/// Mean square of the second difference of brightness along each direction, against the variance of brightness, over
+/// the photo in blocks of pixels: greater is sharper. 0 for a photo of one brightness.
 ///
-/// Pech-Pacheco et al. 2000, "Diatom autofocusing in brightfield microscopy", made free of exposure.
-pub fn sharpness(photo: &Rgb) -> f64 {
+/// The terms of the Laplacian of Pech-Pacheco et al. 2000, "Diatom autofocusing in brightfield microscopy", apart and
+/// made free of exposure.
+pub(crate) fn sharpness(photo: &Rgb) -> Sharpness {
     let block = (photo.width / ACROSS_PX).max(1);
     let (w, h) = (photo.width / block, photo.height / block);
     let light = |x: usize, y: usize| -> f64 {
@@ -43,22 +63,23 @@ pub fn sharpness(photo: &Rgb) -> f64 {
         .collect();
     let mean = all.iter().sum::<f64>() / all.len().max(1) as f64;
     let variance: f64 = all.iter().map(|v| (v - mean).powi(2)).sum();
-    let mut edges = 0.0;
+    let mut edges = [0.0; 4];
     for y in 1..h.saturating_sub(1) {
         for x in 1..w.saturating_sub(1) {
             let at = y * w + x;
-            let around = all[at - 1] + all[at + 1] + all[at - w] + all[at + w];
-            edges += (around - 4.0 * all[at]).powi(2);
+            for (sum, step) in edges.iter_mut().zip([1, w, w + 1, w - 1]) {
+                *sum += (all[at - step] + all[at + step] - 2.0 * all[at]).powi(2);
+            }
         }
     }
     match variance > 0.0 {
-        true => edges / variance,
-        false => 0.0,
+        true => edges.map(|sum| sum / variance),
+        false => [0.0; 4],
     }
 }
 
 /// The sharpest of each of `most` even stretches, by place; all where there are no more than that.
-pub fn best(sharp: &[f64], most: usize) -> Vec<usize> {
+pub(crate) fn best(sharp: &[f64], most: usize) -> Vec<usize> {
     let stretch = |k: usize| k * sharp.len() / most..(k + 1) * sharp.len() / most;
     if sharp.len() <= most {
         return (0..sharp.len()).collect();
@@ -93,12 +114,24 @@ mod tests {
 
     #[test]
     fn a_blurred_photo_is_less_sharp_and_a_brighter_one_is_as_sharp() {
-        let (sharp, blurred) = (sharpness(&checks(0)), sharpness(&checks(2)));
-        assert!(blurred < 0.8 * sharp, "{blurred} {sharp}");
+        // Along the rows alone, as by a camera that is knocked.
+        let [along, across, ..] = sharpness(&checks(2));
+        let sharp = sharpness(&checks(0));
+        assert!(along < 0.5 * sharp[0], "{along} {sharp:?}");
+        proof::near(across / sharp[1], 1.0, 0.1);
         let mut dim = checks(0);
         dim.data.iter_mut().for_each(|p| *p = p.map(|c| c / 2));
-        proof::near(sharpness(&dim) / sharp, 1.0, 1e-3);
-        assert_eq!(sharpness(&Rgb::filled(20, 20, [7; 3])), 0.0);
+        proof::near(sharpness(&dim)[0] / sharp[0], 1.0, 1e-3);
+        assert_eq!(sharpness(&Rgb::filled(20, 20, [7; 3])), [0.0; 4]);
+    }
+
+    #[test]
+    fn a_photo_that_is_blurred_one_way_is_named() {
+        let mut sharp = vec![[1.0, 2.0, 3.0, 4.0]; 9];
+        sharp[4][0] = 0.2;
+        assert_eq!(blurred(&sharp), [4]);
+        let least = against_the_middle(&sharp);
+        assert_eq!((least[4], least[0]), (0.2, 1.0));
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! What can be measured with a capture as it is; how what is odd about it is reported.
 
 use crate::glance::{Glance, Together};
-use shape::{Photos, Rig, Tags, some_photos};
+use crate::sharpness::Sharpness;
+use shape::{People, Photos, Rig, Tags, some_photos};
 use stage::{Message, Template, message};
 
 stage::messages! {
@@ -76,21 +77,16 @@ impl Findings<'_> {
     }
 }
 
-/// How sharp photos are against the middle one.
-pub(crate) fn against_the_middle(sharp: &[f64]) -> Vec<f64> {
-    let middle = shape::upper_median(sharp).map_or(1.0, |m| m.max(1e-12));
-    sharp.iter().map(|s| s / middle).collect()
-}
-
 /// What was seen of the photos.
 pub(crate) struct Seen<'a> {
     pub(crate) photos: &'a Photos,
     pub(crate) glances: &'a [Glance],
     pub(crate) together: &'a Together,
-    /// Against the middle of all.
-    pub(crate) sharpness: &'a [f64],
+    pub(crate) sharpness: &'a [Sharpness],
     /// Tags on those photos that were searched.
     pub(crate) tags: Option<&'a Tags>,
+    /// Who is seen on the photos, where that was looked for.
+    pub(crate) people: Option<&'a People>,
 }
 
 /// Less than this of the picture does not move: the camera was moved. By hand: not on record.

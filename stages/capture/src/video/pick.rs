@@ -51,7 +51,7 @@ pub(crate) fn pick(come: &[Option<f64>], sharp: &[f64], steps: usize, window: f6
             None => picked.empty.push(step),
         }
     }
-    let taken: Vec<f64> = picked.frames.iter().map(|frame| sharp[*frame]).collect();
+    let taken: Vec<[f64; 1]> = picked.frames.iter().map(|frame| [sharp[*frame]]).collect();
     let blurred = blurred(&taken).into_iter();
     picked.blurred = blurred.map(|k| picked.frames[k]).collect();
     picked
