@@ -379,6 +379,10 @@ fail-copies = nur { $found } von { $files } Fotos sind verschieden, eine Drehung
 fail-count = angegeben sind { $promised } Fotos, es gibt aber { $found }{ $copies }: die fehlenden hinzufügen oder die Zahl berichtigen
 fail-few-no-mat = es gibt { $count } Fotos: Ohne Markenmatte werden Merkmale von Foto zu Foto verfolgt, und das braucht eine volle Drehung in Schritten von höchstens 30°; 18 bis 36 Fotos aufnehmen, oder eine gedruckte Matte auf die Scheibe legen und die Größe ihrer Marken angeben, oder die Schritte der vollen Drehung angeben
 fail-few-photos = Fotos in der Reihenfolge der Drehung: { $found }, eine Drehung braucht aber mindestens { $least }: die übrigen Fotos der Drehung hinzufügen
+fail-misplaced = { $count ->
+    [one] Ein Foto ist
+   *[other] { $count } Fotos sind
+} nicht in der Reihenfolge der Drehung ({ $names }): { $photo } zeigt, was zwischen { $before } und { $after } liegt; die Fotos in ihre Reihenfolge umbenennen oder weglassen
 fail-folded = { $pairs } von { $of } Paaren von Fotos, die näher als { $apart } beieinander liegen, haben weniger als { $least } Merkmale gemeinsam, also wurden verschiedene Seiten des Körpers aufeinander gelegt: die Fotos in die Reihenfolge der Drehung bringen oder eine gedruckte Markenmatte auf die Scheibe legen; hat sich die Person auf der Stelle gedreht, ohne Scheibe (dann das angeben)?
 fail-folder = { $folder }: { $why }; einen Ordner angeben, den es gibt und der lesbar ist
 fail-hopeless = { $why }

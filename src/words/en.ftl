@@ -334,6 +334,10 @@ fail-copies = only { $found } of { $files } photos differ, but a turn needs at l
 fail-count = { $promised } photos were given, but { $found } are there{ $copies }: add what is missing, or correct the number
 fail-few-no-mat = there are { $count } photos: without a mat of tags features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a printed mat on the disk and give the size of its tags, or give the steps of the full turn
 fail-few-photos = photos in turning order: { $found }, but a turn needs at least { $least }: add the other photos of the turn
+fail-misplaced = { $count ->
+    [one] One photo is
+   *[other] { $count } photos are
+} out of turning order ({ $names }): { $photo } shows what is between { $before } and { $after }; rename the photos into their order, or leave out those that are not
 fail-folded = { $pairs } of { $of } pairs of photos that came out within { $apart } of each other have fewer than { $least } features in common, so different sides of the body were laid on each other: put the photos into turning order, or a printed mat of tags on the disk; did the person turn on the spot, without a disk (then mark it above)?
 fail-hopeless = { $why }
 fail-hull-contradicted = no point of space is body on all photos: the outline on { $names } cuts away up to { $percent } of what nearly all other photos show; look at this outline, correct it, or leave the photo out

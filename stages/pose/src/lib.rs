@@ -45,9 +45,10 @@ pub use features::describe::describe;
 pub use features::detect::{Extremum, extrema, orientations};
 pub use features::gradients::fading;
 pub use features::matching::{Pairs, mutual, standing, still};
+pub use features::params::TracksParams;
 pub use features::pyramid::{INTERVALS, Octave, SIGMA, blur, octaves};
 pub use features::sift::{Sift, SiftInput, SiftParams, features};
-pub use features::tracks::{Follow, TracksInput, TracksParams};
+pub use features::tracks::{Follow, OrderError, TracksInput};
 pub use frame::circle::{Circle, camera_circle, circle, moved};
 pub use frame::disk_edge::{DiskEdge, May, disk_edge};
 pub use frame::stage::{Frame, FrameInput, FrameParams};
@@ -115,6 +116,7 @@ pub const MESSAGES: &[&[stage::Template]] = &[
     CalibrateError::MESSAGES,
     LayoutError::MESSAGES,
     MatError::MESSAGES,
+    OrderError::MESSAGES,
     TracksError::MESSAGES,
     WalkError::MESSAGES,
     frame::stage::FrameError::MESSAGES,
@@ -125,6 +127,7 @@ const CODED: &[stage::Recognise] = &[
     stage::recognise::<CalibrateError>,
     stage::recognise::<LayoutError>,
     stage::recognise::<frame::stage::FrameError>,
+    stage::recognise::<OrderError>,
     stage::recognise::<WalkError>,
     stage::recognise::<shape::PhotoError>,
 ];

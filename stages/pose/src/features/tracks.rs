@@ -1,12 +1,12 @@
 //! The stage that follows features over the photos.
 
 use crate::calibration::prior::{first_lens, knows_focal};
-use crate::features::matching::{mutual, standing, still};
-use crate::two_view::background_shift::background_shift;
-use crate::two_view::epipolar::{agreeing, agreeing_through};
-use crate::two_view::five_point::Both;
+use crate::features::matching::standing;
+use crate::features::order::{Misplaced, Shared, doubtful, misplaced};
+use crate::features::pair::{Common, matched};
+use crate::features::params::TracksParams;
 use rayon::prelude::*;
-use shape::{Features, Intrinsics, Keypoints, Observation, PhotoId, Photos, Tracks};
+use shape::{Features, Keypoints, Observation, PhotoId, Photos, Tracks, upper_median};
 use stage::{Ctx, Message, Stage, Stop, message};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -18,41 +18,22 @@ stage::messages! {
     MORE = "warn-and-more": "and so on, {count} more photos";
 }
 
-stage::params! {
-    /// Which features are one point.
-    pub struct TracksParams {
-        /// Photos within so many steps of each other are compared.
-        #[range(1..=20)]
-        #[source(structural)]
-        neighbours: u32 = 3,
-        /// How far a feature may rise or sink from photo to photo, as a share of the photo's height.
-        #[range(0.01..=1.0)]
-        #[source(by_hand = "two captures: halved, size +0.16 % for one; doubled, rotations −0.02° for one (docs/lab/numbers.md)")]
-        rise: f64 = 0.16,
-        /// The nearest description must be nearer than this share of the next one.
-        #[range(0.3..=1.0)]
-        #[source(by_hand = "two captures: halved, centres −2.90 to +300.89 mm (docs/lab/numbers.md)")]
-        ratio: f64 = 0.85,
-        /// Features that move less belong to what does not turn: the background.
-        #[range(0.0..=50.0)]
-        #[source(by_hand = "two captures: halved, size +0.17 % for one; doubled, size +0.07 % for one (docs/lab/numbers.md)")]
-        still_px: f64 = 3.0,
-        /// How far a match may be off its epipolar line.
-        #[range(0.1..=50.0)]
-        #[source(by_hand = "two captures: halved, ground −1.3 mm for one; doubled, ground −1.1 mm for one (docs/lab/numbers.md)")]
-        epipolar_px: f64 = 2.5,
-        /// Photos of which no such share of the matches agrees have nothing in common: by chance, a
-        /// quarter does.
-        #[range(0.0..=1.0)]
-        #[source(derived = "by chance a quarter of the matches agrees with some epipolar geometry")]
-        least_share: f64 = 0.3,
-        /// Most samples of a pair's RANSAC.
-        #[range(10..=100000)]
-        #[source(structural)]
-        rounds: u32 = 3000,
-        /// Seed of RANSAC.
-        #[source(structural)]
-        seed: i64 = 1,
+stage::failures! {
+    /// Why photos are in no turn.
+    pub enum OrderError {
+        /// Some are where they do not belong.
+        Misplaced {
+            /// How many.
+            count: usize,
+            /// One of them.
+            photo: String,
+            /// The photo that it belongs behind.
+            before: String,
+            /// The photo that it belongs before.
+            after: String,
+            /// All of them.
+            names: String,
+        } = "fail-misplaced": "{count} {count|photo is|photos are} out of turning order ({names}): {photo} shows what is between {before} and {after}; rename the photos into their order, or leave out those that are not",
     }
 }
 
@@ -74,7 +55,7 @@ pub struct Follow;
 
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Follows features over the photos: what does not move and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;
@@ -111,22 +92,28 @@ impl Stage for Follow {
         let still = standing(&of, p.neighbours as usize, p.still_px as f32);
         ctx.check()?;
         let steps = ctx.steps("pairs", pairs.len());
-        let one = |(i, j): &(usize, usize)| -> Result<Common, Stop> {
-            let found = matched(
-                [of[*i], of[*j]],
-                [&still[*i], &still[*j]],
-                p,
-                p.rise as f32 * height,
-                &first,
-                known,
-            );
+        let common = |(i, j): &(usize, usize)| -> Result<Common, Stop> {
+            let (features, still) = ([of[*i], of[*j]], [&still[*i], &still[*j]]);
+            ctx.check()?;
+            let rise = p.rise as f32 * height;
+            Ok(matched(features, still, p, rise, &first, known))
+        };
+        let one = |pair| -> Result<Common, Stop> {
+            let found = common(pair)?;
             steps.tick()?;
             Ok(found)
         };
         let all: Vec<_> = pairs.par_iter().map(one).collect::<Result<_, Stop>>()?;
-        let still: usize = all.iter().map(|a| a.still).sum();
         let name = |i: usize| input.photos.get(views[i].0).map_or("", |p| p.name.as_str());
-        warnings(&pairs, &all, &name)
+        let same = same(&pairs, &all, &of);
+        if p.in_order {
+            // Where nothing turned, all that is alike is still.
+            let count = |(c, same): (&Common, &bool)| if *same { c.still } else { c.matches.len() };
+            let counts = pairs.iter().copied().zip(all.iter().zip(&same).map(count));
+            ordered(counts.collect(), n, &common, &name)?;
+        }
+        let still: usize = all.iter().map(|a| a.still).sum();
+        warnings(&pairs, &all, &same, &name)
             .iter()
             .for_each(|w| ctx.warn(w));
         let matches: Vec<Match> = pairs
@@ -160,33 +147,71 @@ impl Stage for Follow {
 /// Two features, each by photo and place.
 type Match = ((usize, u32), (usize, u32));
 
-/// What two photos have in common.
-struct Common {
-    /// What moves as one rigid thing.
-    matches: Vec<(u32, u32)>,
-    /// How many features stood still.
-    still: usize,
-    /// How far the background moved, where it did. \[px\]
-    background_px: Option<f64>,
+/// Compares two photos, by their places.
+type Compare<'a> = dyn Fn(&(usize, usize)) -> Result<Common, Stop> + Sync + 'a;
+
+/// Compares photos that may belong elsewhere with all photos; fails where some do.
+fn ordered<'a>(
+    mut shared: Shared,
+    photos: usize,
+    common: &Compare<'_>,
+    name: &dyn Fn(usize) -> &'a str,
+) -> Result<(), Stop> {
+    let doubtful = doubtful(&shared, photos);
+    let mut far: Vec<(usize, usize)> = doubtful
+        .iter()
+        .flat_map(|i| (0..photos).map(move |j| (*i.min(&j), *i.max(&j))))
+        .filter(|pair| pair.0 != pair.1 && !shared.contains_key(pair))
+        .collect();
+    far.sort_unstable();
+    far.dedup();
+    let found: Vec<Common> = far.par_iter().map(common).collect::<Result<_, Stop>>()?;
+    shared.extend(far.into_iter().zip(found.iter().map(|c| c.matches.len())));
+    let misplaced = misplaced(&shared, photos);
+    let Some(Misplaced { photo, between }) = misplaced.first() else {
+        return Ok(());
+    };
+    let names: Vec<&str> = misplaced.iter().map(|m| name(m.photo)).collect();
+    Err(OrderError::Misplaced {
+        count: names.len(),
+        photo: name(*photo).into(),
+        before: name(between[0]).into(),
+        after: name(between[1]).into(),
+        names: names.join(", "),
+    }
+    .into())
+}
+
+/// Which pairs show the same: most of what turns between other neighbours is where it was.
+fn same(pairs: &[(usize, usize)], all: &[Common], of: &[&Features]) -> Vec<bool> {
+    let share = |((i, j), c): (&(usize, usize), &Common)| {
+        let fewer = of[*i].points.len().min(of[*j].points.len());
+        c.still as f64 / fewer.max(1) as f64
+    };
+    let shares: Vec<f64> = pairs.iter().zip(all).map(share).collect();
+    let next = pairs.iter().zip(&shares).filter(|((i, j), _)| *j == i + 1);
+    let usual = upper_median(next.map(|(_, share)| *share)).unwrap_or(1.0);
+    shares
+        .iter()
+        .map(|share| *share > (1.0 + usual) / 2.0)
+        .collect()
 }
 
 /// What the user should know of neighbouring photos: a camera that was moved, a photo taken twice.
 fn warnings<'a>(
     pairs: &[(usize, usize)],
     all: &[Common],
+    same: &[bool],
     name: &dyn Fn(usize) -> &'a str,
 ) -> Vec<Message> {
-    let next = || pairs.iter().zip(all).filter(|((i, j), _)| *j == i + 1);
-    let mut stood: Vec<usize> = next().map(|(_, c)| c.still).collect();
-    stood.sort_unstable();
-    let usual = stood.get(stood.len() / 2).copied().unwrap_or(0);
+    let next = pairs.iter().zip(all.iter().zip(same));
     let mut warnings: Vec<Message> = Vec::new();
-    for ((i, j), c) in next() {
+    for ((i, j), (c, same)) in next.filter(|((i, j), _)| *j == i + 1) {
         let (a, b) = (name(*i), name(*j));
         if let Some(px) = c.background_px {
             warnings.push(message!(BACKGROUND_MOVED, before = a, after = b, by = px));
         }
-        if c.matches.is_empty() && c.still > 100 && c.still > usual * 11 / 10 {
+        if *same {
             warnings.push(message!(SHOWS_SAME, after = b, before = a));
         }
     }
@@ -196,58 +221,6 @@ fn warnings<'a>(
         warnings.push(message!(MORE, count = more));
     }
     warnings
-}
-
-/// The matches of a pair.
-fn matched(
-    [a, b]: [&Features; 2],
-    known_still: [&Vec<bool>; 2],
-    p: &TracksParams,
-    rise: f32,
-    first: &Intrinsics,
-    known: Option<&Intrinsics>,
-) -> Common {
-    let mut left_out = still(a, b, p.still_px as f32);
-    let still = left_out[0].iter().filter(|still| **still).count();
-    for (out, known) in left_out.iter_mut().zip(known_still) {
-        out.iter_mut().zip(known).for_each(|(o, s)| *o |= s);
-    }
-    let mut moving = mutual(a, b, p.ratio, rise, &left_out);
-    let both = |(i, j): &(u32, u32)| -> Both {
-        let (k, l) = (&a.points[*i as usize], &b.points[*j as usize]);
-        [
-            [f64::from(k.x), f64::from(k.y)],
-            [f64::from(l.x), f64::from(l.y)],
-        ]
-    };
-    moving.retain(|m| {
-        let [k, l] = both(m);
-        libm::hypot(k[0] - l[0], k[1] - l[1]) >= p.still_px
-    });
-    let (rounds, seed) = (p.rounds as usize, p.seed as u64);
-    let mut pairs: Vec<Both> = moving.iter().map(both).collect();
-    let background = background_shift(first, &pairs, rounds.min(500), seed);
-    if let Some(background) = &background {
-        let mut of = background.of.iter();
-        moving.retain(|_| !of.next().is_some_and(|of| *of));
-        pairs = moving.iter().map(both).collect();
-    }
-    let agree = match known {
-        Some(lens) => agreeing_through(lens, &pairs, p.epipolar_px, rounds, seed),
-        None => agreeing(&pairs, p.epipolar_px, rounds, seed),
-    };
-    let kept: Vec<(u32, u32)> = moving
-        .iter()
-        .zip(&agree)
-        .filter(|(_, agree)| **agree)
-        .map(|(m, _)| *m)
-        .collect();
-    let chance = (kept.len() as f64) < p.least_share * moving.len() as f64;
-    Common {
-        matches: if chance { vec![] } else { kept },
-        still,
-        background_px: background.map(|r| r.by_px),
-    }
 }
 
 /// Matches joined to tracks (union-find); a track with two features on one photo is no point.

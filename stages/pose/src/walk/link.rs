@@ -1,7 +1,7 @@
 //! The stage that follows features over photos in any order.
 
 use crate::calibration::prior::enlargement;
-use crate::features::tracks::TracksParams;
+use crate::features::params::TracksParams;
 use crate::walk::chains::{Link, chained};
 use crate::walk::error::WalkError;
 use crate::walk::pairs::{Rules, Shared, again, chosen, compared, largest, parts};
