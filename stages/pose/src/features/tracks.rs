@@ -55,7 +55,7 @@ pub struct Follow;
 
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     const ABOUT: &'static str = "Follows features over the photos: what does not move and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;

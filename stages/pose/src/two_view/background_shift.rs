@@ -15,6 +15,8 @@ pub struct BackgroundShift {
     pub by_px: f64,
     /// Which pairs belong to it.
     pub of: Vec<bool>,
+    /// Whether they reach over so much of the photo that they can be no subject.
+    pub wide: bool,
 }
 
 /// Matches of the background are this near to where the background went. By hand: looked at two captures, halved and
@@ -95,7 +97,8 @@ pub fn background_shift(
         .map(|[a, b]| libm::hypot(a[0] - b[0], a[1] - b[1]));
     let moves = sorted(moves.collect());
     let by_px = moves[moves.len() / 2];
-    (wide(0, lens.width) && wide(1, lens.height)).then_some(BackgroundShift { by_px, of })
+    let wide = wide(0, lens.width) && wide(1, lens.height);
+    Some(BackgroundShift { by_px, of, wide })
 }
 
 /// The rotation that takes the first of each pair nearest to the second (Kabsch 1976).
