@@ -103,6 +103,27 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
 }
 
 #[test]
+fn exchanged_photos_are_named_with_their_places() {
+    let place = Place::new();
+    for i in 0..18 {
+        let shown = match i {
+            4 => 9,
+            9 => 4,
+            i => i,
+        };
+        let photo = small::photo(&format!("{shown:04}.jpg"));
+        place.write(&format!("turn/{i:04}.jpg"), photo);
+    }
+    let printed = place.run("run body tracks --input photos=turn").code(1).err;
+    for expected in [
+        "2 photos are out of turning order (0004.jpg, 0009.jpg)",
+        "0004.jpg shows what is between 0008.jpg and 0010.jpg",
+    ] {
+        assert!(printed.contains(expected), "{expected}: {printed}");
+    }
+}
+
+#[test]
 fn another_mat_than_the_one_on_the_disk_stops() {
     let place = turn();
     let mat = "--mat-tag 60 --mat-ring";
