@@ -188,13 +188,18 @@ impl<'a> Agenda<'a> {
         if *tries > MOST_TRIES {
             return false;
         }
-        self.waits[node] = gone.len();
-        for j in gone {
-            self.alive[*j] = None;
-            let waiting = self.again.entry(*j).or_default();
+        // What is in memory was made again for another reader since this one looked.
+        let lost = |j: &usize| self.alive[*j].is_none();
+        let lost: Vec<usize> = gone.iter().copied().filter(lost).collect();
+        self.waits[node] = lost.len();
+        if lost.is_empty() {
+            self.ready.push(Reverse(node));
+        }
+        for j in lost {
+            let waiting = self.again.entry(j).or_default();
             waiting.push(node);
             if waiting.len() == 1 {
-                self.ready.push(Reverse(*j));
+                self.ready.push(Reverse(j));
             }
         }
         true
