@@ -17,7 +17,7 @@ const CONSTANTS_BY_HAND: [ByHand; 12] = [
     ("io", [0, 4]),
     ("measure", [66, 1]),
     ("person", [2, 0]),
-    ("pose", [56, 1]),
+    ("pose", [57, 0]),
     ("refine", [1, 1]),
     ("report", [0, 3]),
     ("shape", [6, 4]),

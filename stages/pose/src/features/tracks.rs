@@ -33,7 +33,7 @@ stage::failures! {
             after: String,
             /// All of them.
             names: String,
-        } = "fail-misplaced": "{count} {count|photo is|photos are} out of turning order ({names}): {photo} shows what is between {before} and {after}; rename the photos into their order, or leave out those that are not",
+        } = "fail-misplaced": "{count} {count|photo is|photos are} out of turning order ({names}): {photo} shows what is between {before} and {after}; rename the photos into their order, or leave out those that are not (if you are sure of it: --set tracks.in_order=false)",
     }
 }
 

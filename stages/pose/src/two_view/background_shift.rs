@@ -30,7 +30,8 @@ const LEAST_SHARE: f64 = 0.5;
 /// Most that a nudge turns the camera. By hand: looked at two captures, halved and doubled: nothing changes, nor
 /// without it on five, for none has a camera that was nudged (docs/lab/numbers.md). \[rad\]
 const MOST_TURN_RAD: f64 = 0.15;
-/// Four fifths of the background reach over so much of the photo, both ways. By hand: not on record.
+/// Four fifths of the background reach over so much of the photo, both ways. By hand: looked at one capture with a nudged
+/// camera: over 0.80 of the width and 0.38 of the height, so it is found by what is still on far photos only.
 const SPREAD_SHARE: f64 = 0.5;
 
 /// The shift of the background, from the pairs of pixels that are not where they were. `None` where no
