@@ -1,4 +1,4 @@
-//! Programs of a simulation: no process starts, all else is as with any.
+//! Programs of a simulation, which the engine's tests ask for: no process starts, all else is as with any.
 
 use crate::error::ForeignError;
 use crate::sandbox;
