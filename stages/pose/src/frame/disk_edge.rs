@@ -1,8 +1,16 @@
 //! The edge of a turning disk: its rim is round, so that it projects to one fixed ellipse.
+//!
+//! A circle about the axis is as good an edge as the lower quartile of its steps of colour: three of four go the same way and
+//! are at least so large, on the near side and on the far one. What follows a circle for a part of it (a skirting board, planks,
+//! a picture's frame) is none. Circles are looked at on a reduced picture first, where an edge is as wide as the way from one to
+//! the next, then the best of them on ever larger ones.
 
-use crate::frame::disk_exact::{NEAR, angle, exact, is_far};
+use crate::frame::disk_exact::{NEAR, Rim, angle, aside, exact};
+use crate::frame::disk_steps::{Steps, levels};
 use nalgebra::{Point3, Vector2, Vector3};
-use shape::{Camera, Gray};
+use rayon::prelude::*;
+use shape::{Camera, Rgb};
+use std::f64::consts::TAU;
 
 /// A disk's upper edge about the z axis, in the camera's unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,226 +19,214 @@ pub struct DiskEdge {
     pub height: f64,
     /// Its radius.
     pub radius: f64,
-    /// Mean step of brightness across it, 0..=255.
-    pub contrast: f64,
-    /// The same over the median of all circles that were tried.
+    /// What three in four of the steps of colour across it reach, over the usual size of steps across the circles that were tried.
     pub standout: f64,
-    /// Whether the step is of one sign nearly all around.
-    pub round: bool,
 }
 
 /// Steps of half a level are none, whatever the rest are: files hold whole levels (derived: what rounding hides).
 /// \[levels\]
 const LEAST_STEP_LEVELS: f64 = 0.5;
-/// Points around the edge (structural: samples).
-const AROUND: usize = 96;
-
-/// How far to both sides of an edge to look that may be between circles tried. By hand: looked at two captures, halved
-/// and doubled: no more than chance (docs/lab/numbers.md). \[px\]
-const WIDE: f64 = 4.0;
-/// Circles tried along heights and along radii (structural: samples of a search).
-const STEPS: usize = 70;
-/// So many of the strongest circles are looked at; where one edge is no disk's, many are along it.
+/// By how much the pictures are reduced that are looked at one after the other, and points around an edge on each (structural: a
+/// pyramid, samples).
+const LOOKS: [(usize, usize); 3] = [(4, 48), (2, 96), (1, 96)];
+/// Smaller pictures are not looked at: edges beside each other become one (structural: a pyramid's end). \[px\]
+const LEAST_SIDE_PX: usize = 200;
+/// Heights and radii that are looked at at most: cameras that hardly turn have no end of them (structural: a bound of work).
+const MOST_CELLS: usize = 1000;
+/// So many of the strongest circles are looked at on larger pictures; where one edge is no disk's, many are along it.
 /// It is structural: the width of a search.
-const PEAKS: usize = 100;
-/// A quarter of a disk's steps may be less than this share of their mean: other edges of the background, a skirting
-/// board's, follow a circle for a part of it. By hand: looked at six captures: halved, nothing changes; doubled, ground
-/// −3.1 mm for one (docs/lab/numbers.md).
-const LEAST_QUARTER_SHARE: f64 = 0.25;
+const PEAKS: usize = 30;
 
-/// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges
-/// nearly as strong and as wide (a disk has a lower one too) the upper is taken. Where that is no
-/// step all around, edges are looked for that are between the circles tried. Of a circle's height and radius `may`
-/// whether it can be a disk.
+/// An edge above the strongest is the disk's from this share of its strength on. By hand: looked at forty captures by twenty
+/// cameras, from 0.25 to 0.5 the same edges; at 0.75 the lower one of one, at 1 of two (docs/lab/disks.md).
+const UPPER_SHARE: f64 = 0.5;
+/// Edges are two from so many cells of the first search on (structural: beside each other they are one).
+const OFF_CELLS: f64 = 3.0;
+
+/// Whether a circle of a height and a radius can be a disk's.
+pub type May<'a> = &'a (dyn Fn(f64, f64) -> bool + Sync);
+
+/// A rim and how good an edge it is.
+type Circle = (Rim, f64);
+
+/// A picture of some size, with its camera.
+struct Look {
+    picture: Rgb,
+    camera: Camera,
+    /// Sine and cosine of the angles around the axis.
+    around: Vec<[f64; 2]>,
+}
+
+/// Finds the round edge with the strongest step, within heights and radii. Of edges nearly as strong (a disk has a lower one
+/// too) the upper is taken. `may` tells of a circle's height and radius whether it can be a disk's.
 pub fn disk_edge(
-    gray: &Gray,
+    picture: &Rgb,
     camera: &Camera,
     heights: [f64; 2],
     radii: [f64; 2],
     may: May<'_>,
 ) -> Option<DiskEdge> {
-    let camera = camera.resized(gray.width as u32, gray.height as u32);
-    let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
-    let tried = circles(gray, &camera, [heights, radii], may, NEAR);
-    let strongest = tried.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let first = climbed(gray, &camera, upper(&tried, strongest)?, (cells, may), NEAR);
-    let found = match is_all_around(gray, &camera, first) {
-        true => first,
-        false => between(gray, &camera, heights, radii, may).unwrap_or(first),
+    let look = |(by, points): (usize, usize)| {
+        let picture = picture.reduced(by);
+        let camera = camera.resized(picture.width as u32, picture.height as u32);
+        let turns = (0..points).map(|k| angle(&camera, k as f64 / points as f64, TAU));
+        let around = turns.map(|turn| libm::sincos(turn).into()).collect();
+        Look {
+            picture,
+            camera,
+            around,
+        }
     };
+    let side = picture.width.max(picture.height);
+    let looks = LOOKS
+        .into_iter()
+        .filter(|(by, _)| *by == 1 || side / by >= LEAST_SIDE_PX);
+    let looks: Vec<Look> = looks.map(look).collect();
+    let (coarse, whole) = (looks.first()?, looks.last()?);
+    let cell = cell(&coarse.camera);
+    let far = |at: f64, [low, high]: [f64; 2]| (low - at).max(at - high);
+    let may = &|z, r| far(z, heights) <= cell && far(r, radii) <= 0.0 && may(z, r);
+    let (mut peaks, usual) = coarse.peaks(heights, radii, cell, may);
+    let mut reach = cell;
+    for look in &looks {
+        peaks = peaks
+            .into_par_iter()
+            .filter_map(|(rim, _)| look.climbed(rim, reach, may))
+            .collect();
+        reach *= 0.5;
+    }
+    let (found, evident) = upper(&peaks, OFF_CELLS * cell)?;
     // To a part of a pixel where that can be a disk's, too.
-    let within = |(z, r): &(f64, f64)| (heights[0]..=heights[1]).contains(z) && may(*z, *r);
-    let laid = exact(gray, &camera, (found.0, found.1)).filter(within);
-    let (height, radius) = laid.unwrap_or((found.0, found.1));
-    let tried = tried.iter().filter(|t| may(t.0, t.1));
-    let usual = shape::upper_median(tried.map(|t| t.2))?;
+    let laid = whole.exact(found).filter(|rim| may(rim.x, rim.y));
+    let rim = laid.unwrap_or(found);
     Some(DiskEdge {
-        round: is_all_around(gray, &camera, found),
-        height,
-        radius,
-        contrast: found.2,
-        standout: found.2 / usual.max(LEAST_STEP_LEVELS),
+        height: rim.x,
+        radius: rim.y,
+        standout: evident / usual.max(LEAST_STEP_LEVELS),
     })
 }
 
-/// Whether a circle of a height and a radius can be a disk's.
-pub type May<'a> = &'a dyn Fn(f64, f64) -> bool;
+/// What is a pixel at the axis.
+fn cell(camera: &Camera) -> f64 {
+    let centre = camera.centre();
+    libm::hypot(centre.x, centre.y) / camera.lens.focal[1]
+}
 
-/// A circle: height, radius, and its mean step.
-type Circle = (f64, f64, f64);
+/// The strongest of the circles, or of those that are above it by more than it can be off and nearly as strong.
+fn upper(tried: &[Circle], off: f64) -> Option<Circle> {
+    let strongest = |of: &mut dyn Iterator<Item = Circle>| of.max_by(|a, b| a.1.total_cmp(&b.1));
+    let first = strongest(&mut tried.iter().copied())?;
+    let above = |t: &Circle| t.1 >= UPPER_SHARE * first.1 && t.0.x > first.0.x + off;
+    strongest(&mut tried.iter().copied().filter(above)).or(Some(first))
+}
 
-/// All circles of a grid, row by row of one height.
-fn circles(
-    gray: &Gray,
-    camera: &Camera,
-    [heights, radii]: [[f64; 2]; 2],
-    may: May<'_>,
-    beside: f64,
-) -> Vec<Circle> {
-    let at = |[lo, hi]: [f64; 2], i: usize| lo + (hi - lo) * i as f64 / STEPS as f64;
-    let mut tried = Vec::with_capacity((STEPS + 1) * (STEPS + 1));
-    for i in 0..=STEPS {
-        for j in 0..=STEPS {
-            let (z, r) = (at(heights, i), at(radii, j));
-            let step = may(z, r).then(|| step(gray, camera, (z, r), beside));
-            tried.push((z, r, step.flatten().unwrap_or(0.0)));
-        }
+impl Look {
+    /// The strongest of the circles that are edges and better ones than those beside them; beside them the usual size of steps.
+    fn peaks(
+        &self,
+        heights: [f64; 2],
+        radii: [f64; 2],
+        cell: f64,
+        may: May<'_>,
+    ) -> (Vec<Circle>, f64) {
+        let count = |[low, high]: [f64; 2]| ((high - low) / cell).ceil() as usize;
+        let [rows, columns] = [heights, radii].map(|range| count(range).min(MOST_CELLS) + 1);
+        let at = |[low, high]: [f64; 2], k: usize, count: usize| {
+            low + (high - low) * k as f64 / (count - 1).max(1) as f64
+        };
+        let tried: Vec<(Circle, f64)> = (0..rows * columns)
+            .into_par_iter()
+            .map(|k| {
+                let z = at(heights, k / columns, rows);
+                let r = at(radii, k % columns, columns);
+                let rim = Rim::new(z, r, 0.0);
+                match may(z, r).then(|| self.steps(&rim)).flatten() {
+                    Some(steps) => ((rim, steps.evident()), steps.usual()),
+                    None => ((rim, 0.0), 0.0),
+                }
+            })
+            .collect();
+        let usual = tried.iter().map(|t| t.1).filter(|u| *u > 0.0);
+        let usual = shape::upper_median(usual).unwrap_or(0.0);
+        let near = |k: usize, count: usize| k.saturating_sub(1)..=(k + 1).min(count - 1);
+        let peak = |k: &usize| {
+            let (i, j) = (k / columns, k % columns);
+            let mut around =
+                near(i, rows).flat_map(|a| near(j, columns).map(move |b| a * columns + b));
+            let this = tried[*k].0.1;
+            this > 0.0 && around.all(|other| tried[other].0.1 <= this)
+        };
+        let mut peaks: Vec<Circle> = (0..tried.len()).filter(peak).map(|k| tried[k].0).collect();
+        peaks.sort_by(|a, b| b.1.total_cmp(&a.1));
+        peaks.truncate(PEAKS);
+        (peaks, usual)
     }
-    tried
-}
 
-/// The upper of the circles alike to one.
-fn upper(tried: &[Circle], strongest: Circle) -> Option<Circle> {
-    let alike = |t: &&Circle| t.2 >= 0.75 * strongest.2 && (t.1 / strongest.1 - 1.0).abs() < 0.15;
-    let upper = tried.iter().filter(alike);
-    let upper = upper.max_by(|a, b| a.0.total_cmp(&b.0).then(a.2.total_cmp(&b.2)));
-    upper.copied()
-}
+    /// The rim near one across which the picture changes most, if it is an edge, and may be a disk's.
+    fn climbed(&self, mut rim: Rim, mut reach: f64, may: May<'_>) -> Option<Circle> {
+        let mean = |rim: &Rim| self.steps(rim).map(|steps| steps.mean());
+        let mut most = mean(&rim)?;
+        let sides = [-1.0, 0.0, 1.0];
+        let plane = sides.iter().flat_map(|a| sides.map(|b| (*a, b)));
+        let ways = plane.flat_map(|(a, b)| sides.map(|c| Rim::new(a, b, c)));
+        let ways: Vec<Rim> = ways.collect();
+        for _ in 0..12 {
+            let mut best = (rim, most);
+            for way in &ways {
+                let other = rim + way * reach;
+                if let Some(c) = mean(&other).filter(|c| *c > best.1) {
+                    best = (other, c);
+                }
+            }
+            if best.1 <= most {
+                reach *= 0.6;
+            }
+            (rim, most) = best;
+        }
+        let evident = self.steps(&rim)?.evident();
+        (evident > 0.0 && may(rim.x, rim.y)).then_some((rim, evident))
+    }
 
-/// The strongest circle near one, of those that may be a disk's.
-fn climbed(
-    gray: &Gray,
-    camera: &Camera,
-    (mut z, mut r, mut contrast): Circle,
-    (mut reach, may): ([f64; 2], May<'_>),
-    beside: f64,
-) -> Circle {
-    for _ in 0..12 {
-        let mut best = (z, r, contrast);
-        for (dz, dr) in (-2..=2).flat_map(|a| (-2..=2).map(move |b| (a, b))) {
-            let (z, r) = (
-                z + f64::from(dz) * reach[0] * 0.5,
-                r + f64::from(dr) * reach[1] * 0.5,
-            );
-            let step = may(z, r).then(|| step(gray, camera, (z, r), beside));
-            if let Some(c) = step.flatten().filter(|c| *c > best.2) {
-                best = (z, r, c);
+    /// A rim laid on its edge to a part of a pixel.
+    fn exact(&self, rim: Rim) -> Option<Rim> {
+        let ways = self.steps(&rim)?.ways();
+        let of = |way: Vector3<f64>| {
+            self.picture.map(|levels| {
+                let light = levels.map(|level| 255.0 * shape::light_of_level(f32::from(level)));
+                (0..3).map(|c| way[c] as f32 * light[c]).sum()
+            })
+        };
+        exact(&ways.map(of), &self.camera, rim)
+    }
+
+    /// Steps outwards along a rim. `None` where half of it is not on the picture.
+    fn steps(&self, rim: &Rim) -> Option<Steps> {
+        let Look {
+            picture, camera, ..
+        } = self;
+        let (centre, points) = (camera.centre(), self.around.len());
+        let middle = Point3::new(0.0, 0.0, rim.x) + aside(camera) * rim.z;
+        let mut steps = Steps {
+            points,
+            ..Steps::default()
+        };
+        for (k, [sin, cos]) in self.around.iter().copied().enumerate() {
+            if steps.count() + points - k < points / 2 {
+                return None;
+            }
+            let at = middle + Vector3::new(cos, sin, 0.0) * rim.y;
+            let (at, by_place) = camera.project_with_jacobian(&at)?;
+            let along = (by_place * Vector3::new(-sin, cos, 0.0)).try_normalize(1e-9)?;
+            let across = NEAR * Vector2::new(along.y, -along.x);
+            if let (Some(out), Some(inside)) =
+                (levels(picture, at + across), levels(picture, at - across))
+            {
+                let far = centre.x * cos + centre.y * sin < rim.y;
+                steps.sides[usize::from(far)].push(out - inside);
             }
         }
-        if best.2 <= contrast {
-            reach = reach.map(|r| r * 0.6);
-        }
-        (z, r, contrast) = best;
+        Some(steps)
     }
-    (z, r, contrast)
-}
-
-/// Whether a circle has a step of one sign nearly all around its near side, and of one nearly all around the rest.
-fn is_all_around(gray: &Gray, camera: &Camera, (z, r, contrast): Circle) -> bool {
-    let Some(steps) = steps_around(gray, camera, (z, r), NEAR) else {
-        return false;
-    };
-    let ways = sums(&steps).map(f64::signum);
-    let mut steps: Vec<f64> = steps
-        .iter()
-        .map(|(far, s)| s * ways[usize::from(*far)])
-        .collect();
-    steps.sort_by(f64::total_cmp);
-    steps[steps.len() / 4] > LEAST_QUARTER_SHARE * contrast
-}
-
-/// The strongest edge all around that is on or between the circles tried.
-fn between(
-    gray: &Gray,
-    camera: &Camera,
-    heights: [f64; 2],
-    radii: [f64; 2],
-    may: May<'_>,
-) -> Option<Circle> {
-    let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
-    let tried = circles(gray, camera, [heights, radii], may, WIDE);
-    let cell = |i: usize, j: usize| tried[i * (STEPS + 1) + j];
-    let near = |k: usize| k.saturating_sub(1)..=(k + 1).min(STEPS);
-    let peak = |(i, j): (usize, usize)| {
-        let mut around = near(i).flat_map(|a| near(j).map(move |b| (a, b)));
-        (!around.any(|(a, b)| cell(a, b).2 > cell(i, j).2)).then(|| cell(i, j))
-    };
-    let all = (0..=STEPS).flat_map(|i| (1..STEPS).map(move |j| (i, j)));
-    let mut peaks: Vec<Circle> = all.filter_map(peak).collect();
-    peaks.sort_by(|a, b| b.2.total_cmp(&a.2));
-    peaks.truncate(PEAKS);
-    let sharp = |strongest: &Circle| {
-        let (z, r, _) = climbed(gray, camera, upper(&tried, *strongest)?, (cells, may), WIDE);
-        let here = (z, r, step(gray, camera, (z, r), NEAR)?);
-        let found = climbed(gray, camera, here, (cells.map(|c| 0.3 * c), may), NEAR);
-        is_all_around(gray, camera, found).then_some(found)
-    };
-    peaks.iter().find_map(sharp)
-}
-
-/// Mean step of brightness outwards along the edge, its size: beyond the near side is the disk's own side, beyond the far
-/// one the floor, which may be darker and brighter than the disk.
-fn step(gray: &Gray, camera: &Camera, circle: (f64, f64), beside: f64) -> Option<f64> {
-    let all = steps_around(gray, camera, circle, beside)?;
-    let size: f64 = sums(&all).iter().map(|sum| sum.abs()).sum();
-    Some(size / all.len() as f64)
-}
-
-/// A step of brightness outwards, and whether it is on the far side.
-type Step = (bool, f64);
-
-/// The sums of the steps of the near side and of the far one.
-fn sums(steps: &[Step]) -> [f64; 2] {
-    [false, true].map(|far| steps.iter().filter(|s| s.0 == far).map(|s| s.1).sum())
-}
-
-/// Steps of brightness outwards along the edge. `None` where most of it is not on the picture.
-fn steps_around(
-    gray: &Gray,
-    camera: &Camera,
-    (height, radius): (f64, f64),
-    beside: f64,
-) -> Option<Vec<Step>> {
-    let mut steps = Vec::with_capacity(AROUND);
-    for k in 0..AROUND {
-        let angle = angle(camera, k as f64 / (AROUND - 1) as f64);
-        let (sin, cos) = libm::sincos(angle);
-        let at = camera.project(&Point3::new(radius * cos, radius * sin, height))?;
-        let ahead = camera.project(&Point3::from(
-            Vector3::new(radius * cos, radius * sin, height)
-                + Vector3::new(-sin, cos, 0.0) * (radius * 0.01),
-        ))?;
-        let along = Vector2::new(ahead.x - at.x, ahead.y - at.y).try_normalize(1e-9)?;
-        let across = Vector2::new(along.y, -along.x);
-        let value = |s: f64| light(gray, at.x + across.x * s, at.y + across.y * s);
-        if let (Some(out), Some(inside)) = (value(beside), value(-beside)) {
-            steps.push((is_far(camera, radius, angle), out - inside));
-        }
-    }
-    (steps.len() > AROUND * 2 / 3).then_some(steps)
-}
-
-/// Brightness between pixels.
-fn light(gray: &Gray, x: f64, y: f64) -> Option<f64> {
-    if x < 0.0 || y < 0.0 || x >= gray.width as f64 - 1.0 || y >= gray.height as f64 - 1.0 {
-        return None;
-    }
-    let (x0, y0) = (x as usize, y as usize);
-    let (fx, fy) = (x - x0 as f64, y - y0 as f64);
-    let at = |dx: usize, dy: usize| f64::from(gray.at(x0 + dx, y0 + dy));
-    let top = at(0, 0) + fx * (at(1, 0) - at(0, 0));
-    let bottom = at(0, 1) + fx * (at(1, 1) - at(0, 1));
-    Some(top + fy * (bottom - top))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A disk's edge to a part of a pixel: a circle that was found nearly, laid on the edges of profiles across it.
 
 use crate::frame::edge_profile::{BANDS_PX, EDGES_PX, Profile};
-use nalgebra::{Matrix2, Point3, Vector2};
+use nalgebra::{Matrix3, Point3, Vector2, Vector3};
 use shape::{Camera, Gray};
 
 /// How far outwards profiles reach: over the widest band that is tried (structural: samples). \[px\]
@@ -26,49 +26,56 @@ pub(super) const NEAR: f64 = 1.5;
 /// (docs/lab/numbers.md). \[px\]
 const LEAST_SIGMA_PX: f64 = 0.1;
 
-/// An arc of the circle: light across it, outwards, and by how much it would move there were the circle higher and wider
-/// by one.
+/// A rim: its height, its radius, and how far its middle is aside of the axis, to the left of who looks from the camera. Cameras
+/// know their axis by who turns about it, and who sways moves it.
+pub(super) type Rim = Vector3<f64>;
+
+/// An arc of the circle: light across it, outwards, and by how much it would move there were the rim higher, wider and farther
+/// aside by one.
 struct Arc {
     far: bool,
     profile: Profile,
-    by_height: f64,
-    by_radius: f64,
+    by: Rim,
 }
 
-/// How far outwards of an arc its edge is \[px\], and the same two.
-type Edge = (f64, f64, f64);
+/// How far outwards of an arc its edge is \[px\], and the same three.
+type Edge = (f64, Rim);
 
-/// A circle (height, radius) laid on its edge. `None` where too little of it shows one.
-pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<(f64, f64)> {
-    let (mut z, mut r) = circle;
-    let gray = &gray.map(|level| 255.0 * shape::light_of_level(*level));
+/// A rim laid on its edge, in light as the near side shows it and as the far one does. `None` where too little of it shows one.
+pub(crate) fn exact(light: &[Gray; 2], camera: &Camera, mut rim: Rim) -> Option<Rim> {
     for _ in 0..ROUNDS {
         let arcs: Vec<Arc> = (0..ARCS)
-            .filter_map(|k| arc(gray, camera, (z, r), k))
+            .filter_map(|k| arc(light, camera, &rim, k))
             .collect();
         let brighter = [false, true].map(|far| {
             let of = arcs.iter().filter(|a| a.far == far);
             of.map(|a| a.profile.change(NEAR)).sum::<f64>() > 0.0
         });
-        let edge = |a: &Arc| {
-            let off = a.profile.edge(brighter[usize::from(a.far)])?;
-            Some((off, a.by_height, a.by_radius))
-        };
+        let edge = |a: &Arc| Some((a.profile.edge(brighter[usize::from(a.far)])?, a.by));
         let edges: Vec<Edge> = arcs.iter().filter_map(edge).collect();
         if edges.len() < LEAST_ARCS {
             return None;
         }
-        let (dz, dr) = laid(&edges)?;
-        (z, r) = (z + dz, r + dr);
+        rim += laid(&edges)?;
     }
-    Some((z, r))
+    Some(rim)
 }
 
-/// The angle about the axis at a share of the part of an edge that is looked at, a little more than the half towards the camera:
-/// beside the subject the far edge shows, too.
-pub(super) fn angle(camera: &Camera, share: f64) -> f64 {
+/// Which way is aside: to the left of who looks from the camera at the axis.
+pub(super) fn aside(camera: &Camera) -> Vector3<f64> {
     let centre = camera.centre();
-    libm::atan2(centre.y, centre.x) + (share - 0.5) * 4.0
+    let away = libm::hypot(centre.x, centre.y);
+    Vector3::new(centre.y, -centre.x, 0.0) / away
+}
+
+/// The part of an edge whose place is looked at, a little more than the half towards the camera: beside the subject the far edge
+/// shows, too, and is nearly level at its farthest (structural: samples). \[rad\]
+const PART_RAD: f64 = 4.0;
+
+/// The angle about the axis at a share of a part of an edge that is towards the camera.
+pub(super) fn angle(camera: &Camera, share: f64, part_rad: f64) -> f64 {
+    let centre = camera.centre();
+    libm::atan2(centre.y, centre.x) + (share - 0.5) * part_rad
 }
 
 /// Whether an edge at an angle is on the far side of a disk, whose own side is hidden behind it.
@@ -79,29 +86,37 @@ pub(super) fn is_far(camera: &Camera, radius: f64, angle: f64) -> bool {
 }
 
 /// One arc of the part that is looked at.
-fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> Option<Arc> {
+fn arc(light: &[Gray; 2], camera: &Camera, rim: &Rim, k: usize) -> Option<Arc> {
     let count = ((OUTWARDS_PX + INWARDS_PX) / STEP) as usize + 1;
     let mut profile = Profile {
         first: -INWARDS_PX,
         step: STEP,
         light: vec![0.0; count],
     };
-    let (mut by_height, mut by_radius) = (0.0, 0.0);
-    let small = 0.01 * radius;
+    let (mut by, left) = (Rim::zeros(), aside(camera));
+    let small = 0.01 * rim.y;
+    let middle = (k as f64 + 0.5) / ARCS as f64;
+    let far = is_far(camera, rim.y, angle(camera, middle, PART_RAD));
+    let gray = &light[usize::from(far)];
     for line in 0..LINES {
         let place = (k * LINES + line) as f64 / (ARCS * LINES - 1) as f64;
-        let angle = angle(camera, place);
-        let project = |r: f64, turn: f64, z: f64| {
+        let angle = angle(camera, place, PART_RAD);
+        let project = |rim: Rim, turn: f64| {
             let (sin, cos) = libm::sincos(angle + turn);
-            camera.project(&Point3::new(r * cos, r * sin, z))
+            camera.project(&(Point3::new(rim.y * cos, rim.y * sin, rim.x) + left * rim.z))
         };
-        let at = project(radius, 0.0, height)?;
-        let along = (project(radius, 0.01, height)? - at).try_normalize(1e-9)?;
-        let wider = (project(radius + small, 0.0, height)? - at) / small;
+        let at = project(*rim, 0.0)?;
+        let along = (project(*rim, 0.01)? - at).try_normalize(1e-9)?;
+        let [higher, wider, farther] =
+            [Rim::x(), Rim::y(), Rim::z()].map(|one| project(rim + one * small, 0.0));
+        let [higher, wider, farther] = [higher?, wider?, farther?].map(|to| (to - at) / small);
         let across = Vector2::new(along.y, -along.x);
         let across = across * across.dot(&wider).signum();
-        by_radius += across.dot(&wider);
-        by_height += across.dot(&(project(radius, 0.0, height + small)? - at)) / small;
+        by += Rim::new(
+            across.dot(&higher),
+            across.dot(&wider),
+            across.dot(&farther),
+        );
         for (i, sum) in profile.light.iter_mut().enumerate() {
             let px = at + across * (i as f64 * STEP - INWARDS_PX);
             let [w, h] = [gray.width, gray.height].map(|n| n as f64 - 1.0);
@@ -111,40 +126,33 @@ fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> 
             *sum += f64::from(gray.sample(px.x as f32, px.y as f32)) / LINES as f64;
         }
     }
-    let middle = (k as f64 + 0.5) / ARCS as f64;
-    Some(Arc {
-        far: is_far(camera, radius, angle(camera, middle)),
-        profile,
-        by_height: by_height / LINES as f64,
-        by_radius: by_radius / LINES as f64,
-    })
+    by /= LINES as f64;
+    Some(Arc { far, profile, by })
 }
 
-/// How much higher and wider the circle is best; edges that are far off count little (Tukey).
-fn laid(edges: &[Edge]) -> Option<(f64, f64)> {
-    let (mut dz, mut dr) = (0.0, 0.0);
+/// How much higher, wider and farther aside the rim is best; edges that are far off count little (Tukey).
+fn laid(edges: &[Edge]) -> Option<Rim> {
+    let mut more = Rim::zeros();
     for _ in 0..10 {
-        let off = |(off, by_z, by_r): &Edge| off - by_z * dz - by_r * dr;
+        let off = |(off, by): &Edge| off - by.dot(&more);
         let far = shape::upper_median(edges.iter().map(|e| off(e).abs())).unwrap_or_default();
         let bound = 4.685 * (far / 0.6745).max(LEAST_SIGMA_PX);
-        let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
+        let (mut normal, mut right) = (Matrix3::zeros(), Rim::zeros());
         for edge in edges {
             let u = off(edge) / bound;
             let weight = (1.0 - u * u).max(0.0) * (1.0 - u * u).max(0.0);
-            let row = Vector2::new(edge.1, edge.2);
-            normal += row * row.transpose() * weight;
-            right += row * (weight * edge.0);
+            normal += edge.1 * edge.1.transpose() * weight;
+            right += edge.1 * (weight * edge.0);
         }
-        let found = normal.cholesky()?.solve(&right);
-        (dz, dr) = (found.x, found.y);
+        more = normal.cholesky()?.solve(&right);
     }
-    Some((dz, dr))
+    Some(more)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Rotation3, Vector3};
+    use nalgebra::Rotation3;
     use shape::{Intrinsics, Pose};
 
     /// A camera, and what it sees: a disk of radius 210 with a white band within its edge, blurred in light.
@@ -183,7 +191,7 @@ mod tests {
         for (i, to) in gray.data.iter_mut().enumerate() {
             let (x, y) = ((i % 400) as f64, (i / 400) as f64);
             let sum = places.iter().map(|(dx, dy, w)| w * shown(x + dx, y + dy));
-            *to = shape::level_of_light((sum.sum::<f64>() / all / 255.0) as f32);
+            *to = (sum.sum::<f64>() / all) as f32;
         }
         (camera, gray)
     }
@@ -193,10 +201,11 @@ mod tests {
         // A pixel is 2.4 mm.
         let radius = |blur| {
             let (camera, gray) = seen(blur);
-            let (z, r) = exact(&gray, &camera, (-39.0, 212.0)).unwrap();
-            proof::near(z, -40.0, 1.5);
-            proof::near(r, 210.0, 0.5);
-            r
+            let rim = exact(&[gray.clone(), gray], &camera, Rim::new(-39.0, 212.0, 1.0)).unwrap();
+            proof::near(rim.x, -40.0, 1.5);
+            proof::near(rim.y, 210.0, 0.5);
+            proof::near(rim.z, 0.0, 0.3);
+            rim.y
         };
         proof::near(radius(0.4), radius(1.2), 0.4);
     }

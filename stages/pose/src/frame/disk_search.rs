@@ -4,9 +4,7 @@ use crate::frame::disk_edge::{DiskEdge, disk_edge};
 use crate::frame::disk_tags::DiskTags;
 use crate::frame::stature::Stature;
 use rayon::prelude::*;
-use shape::{
-    Cameras, Gray, PhotoError, Photos, Placed, Reference, Rig, median, register, registered,
-};
+use shape::{Cameras, Gray, PhotoError, Photos, Placed, Rgb, Rig, median, register, registered};
 
 /// What makes a circle the disk's edge.
 #[derive(Debug, Clone, Copy)]
@@ -20,44 +18,63 @@ pub(crate) struct Rules {
 /// The still background, reduced: the plate, or the median of photos laid on each other.
 ///
 /// Beside it how the first photo maps to it, at full size, and so its camera.
-pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Placed)>, PhotoError> {
+pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Rgb, Placed)>, PhotoError> {
     let Some(first) = photos.photos.first() else {
         return Ok(None);
     };
     let by = (first.width.max(first.height) / search_px).max(1) as usize;
-    let one = |photo: &shape::Photo| Ok(photo.decode()?.gray().reduced(by));
+    let one = |photo: &shape::Photo| Ok(photo.decode()?.reduced(by));
     let fits = |plate: &&shape::Photo| (plate.width, plate.height) == (first.width, first.height);
     if let Some(plate) = photos.plate.as_ref().filter(fits) {
         // All that shows here how it maps to the plate is the two of them.
         let plate = one(plate)?;
-        let placed = register(&one(first)?, &plate).unwrap_or(Placed::SAME);
+        let placed = register(&one(first)?.gray(), &plate.gray()).unwrap_or(Placed::SAME);
         return Ok(Some((plate, placed.enlarged(by as f64))));
     }
     let every = photos.photos.len().div_ceil(9).max(1);
     let some: Vec<_> = photos.photos.iter().step_by(every).collect();
-    let pictures: Vec<Gray> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
-    // Where there is nothing to lay photos on each other by, they stay as they are.
-    let (placed, still) = registered(&pictures);
+    let pictures: Vec<Rgb> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
+    let gray: Vec<Gray> = pictures.par_iter().map(Rgb::gray).collect();
+    let (mut placed, still) = registered(&gray);
+    if still.is_none() {
+        // Where there is nothing to lay photos on each other by, they stay as they are.
+        placed.fill(Some(Placed::SAME));
+    }
     let first = placed.first().copied().flatten().unwrap_or(Placed::SAME);
-    let unmoved = || median(&pictures).map(|still| (still, Placed::SAME));
-    let still = still.map(|still| (still, first.enlarged(by as f64)));
-    Ok(still.or_else(unmoved))
+    let still = middle(&pictures, &placed);
+    Ok(still.map(|still| (still, first.enlarged(by as f64))))
+}
+
+/// The median of photos where they were laid, exposed alike; those that are not left out.
+fn middle(pictures: &[Rgb], placed: &[Option<Placed>]) -> Option<Rgb> {
+    let laid = pictures.iter().zip(placed);
+    let laid = laid.filter_map(|(picture, placed)| placed.map(|p| (p.brought(picture), p)));
+    let laid: Vec<(Rgb, Placed)> = laid.collect();
+    let channel = |c: usize| {
+        let alike = |(picture, p): &(Rgb, Placed)| {
+            picture.map(|levels| ((f64::from(levels[c]) - p.bias) / p.gain) as f32)
+        };
+        median(&laid.par_iter().map(alike).collect::<Vec<Gray>>())
+    };
+    let [red, green, blue] = [channel(0)?, channel(1)?, channel(2)?];
+    let mut still = Rgb::filled(red.width, red.height, [0; 3]);
+    for (i, to) in still.data.iter_mut().enumerate() {
+        *to = [&red, &green, &blue].map(|c| c.data[i].round() as u8);
+    }
+    Some(still)
 }
 
 /// The strongest circle near the disk. A ring of tags may be stronger than the edge: where by the stature the
-/// disk is another, and a circle of that size is a third as strong, it is that one (both by hand, on made photos).
+/// disk is another, and a circle of about that size is as clear, it is that one.
 /// Tags that are on the disk are within its edge, and at its height; what turns is not below the disk.
-/// Where no disk is given, its edge is one all around, or there is none.
 pub(crate) fn edge(
-    (still, first): &(Gray, Placed),
+    (still, first): &(Rgb, Placed),
     cameras: &Cameras,
     (body, tags): (Option<&Stature>, Option<DiskTags>),
     rig: &Rig,
     rules: &Rules,
 ) -> Option<DiskEdge> {
     let ring = ring(cameras)?;
-    let disk = |r: &Reference| r.kind == "disk_diameter";
-    let given = rig.disk_diameter_mm.is_some() || rig.reference.as_ref().is_some_and(disk);
     let heights = heights(cameras, body, tags, ring)?;
     let least = tags.map_or(0.0, |tags| tags.reach);
     // Silhouettes show how tall the subject is, and whether that contradicts the disk.
@@ -66,38 +83,35 @@ pub(crate) fn edge(
     // Next to nothing that turns is lower: subject and disk are above.
     let low = turning(cameras, MIRRORED_SHARE);
     let may = |z: f64, r: f64| r >= narrow && low.is_none_or(|low| z <= low + THICKEST_SHARE * r);
-    let search = |[low, high]: [f64; 2], least_standout: f64| {
-        let radii = [(low * ring).max(least), high * ring];
-        let camera = cameras.views.values().next()?.camera;
-        let camera = match first.is_identity() {
-            true => camera,
-            false => first.brought_camera(&camera),
-        };
+    let camera = cameras.views.values().next()?.camera;
+    let camera = match first.is_identity() {
+        true => camera,
+        false => first.brought_camera(&camera),
+    };
+    let search = |[low, high]: [f64; 2]| {
+        let radii = [low.max(least), high];
         let within = radii[0] < radii[1];
         let found = within.then(|| disk_edge(still, &camera, heights, radii, &may))??;
-        (found.standout >= least_standout && (given || found.round)).then_some(found)
+        (found.standout >= rules.standout).then_some(found)
     };
-    let found = search([0.06, 0.4], rules.standout);
+    let strongest = search(RADII.map(|share| share * ring))?;
     let expected = || {
         let (disk, stature, body) = (rig.disk_diameter_mm?, rig.stature_mm?, body?);
         Some(disk / 2.0 * (body.crown - body.ground) / stature)
     };
-    let (Some(strongest), Some(expected)) = (found, expected()) else {
-        return found;
-    };
-    if (strongest.radius / expected - 1.0).abs() <= rules.contradiction {
-        return found;
-    }
-    let share = expected / ring;
-    let near = [0.9, 1.1].map(|by| by * share);
-    let other = search(near, 0.0);
-    // Against all circles, not only those beside it.
-    let usual = strongest.contrast / strongest.standout;
-    let least = (rules.standout * usual).max(strongest.contrast / 3.0);
-    let strong = |edge: &DiskEdge| edge.contrast >= least;
-    other.filter(strong).or(found)
+    let contradicts =
+        |expected: &f64| (strongest.radius / expected - 1.0).abs() > rules.contradiction;
+    let other = expected().filter(contradicts);
+    let other = other.and_then(|r| search([0.9, 1.1].map(|by| by * r)));
+    Some(other.unwrap_or(strongest))
 }
 
+/// A disk's radius as a share of the camera's distance from its axis: wider ones leave the picture of somebody as a whole,
+/// smaller ones carry nobody (structural: the range of a search).
+const RADII: [f64; 2] = [0.03, 0.5];
+/// How far below the camera a disk is, as shares of the camera's distance from its axis: one that is seen from its side has no
+/// edge, and from farther above a camera sees no waist (structural: the range of a search).
+const BELOW: [f64; 2] = [1.5, 0.1];
 /// A disk is no thicker than this share of its radius. By hand: looked at six captures, halved and doubled: nothing
 /// changes, nor without it on five (docs/lab/numbers.md).
 const THICKEST_SHARE: f64 = 0.5;
@@ -140,7 +154,7 @@ fn heights(
             let reach = 0.04 * (body.crown - body.ground);
             [body.ground - reach, body.ground + reach]
         }
-        (None, None) => [centre.z - 0.8 * ring, centre.z - 0.1 * ring],
+        (None, None) => BELOW.map(|share| centre.z - share * ring),
     })
 }
 

@@ -5,6 +5,7 @@ pub(crate) mod circle;
 pub(crate) mod disk_edge;
 pub(crate) mod disk_exact;
 pub(crate) mod disk_search;
+mod disk_steps;
 pub(crate) mod disk_tags;
 pub(crate) mod edge_profile;
 pub(crate) mod lengths;

@@ -25,11 +25,11 @@ stage::params! {
     pub struct FrameParams {
         /// Whether the edge of a disk is searched: a walk has none.
         disk: bool = true,
-        /// The step of brightness at the disk's edge must be so many times as large as at other
+        /// Three in four steps across the disk's edge must be at least so many times as large as is usual across other
         /// circles.
-        #[range(1.0..=100.0)]
-        #[source(by_hand = "six captures, halved and doubled: nothing changes, for all edges are clear enough (docs/lab/numbers.md)")]
-        least_standout: f64 = 4.0,
+        #[range(0.01..=100.0)]
+        #[source(by_hand = "forty captures by twenty cameras: disks' edges from 0.4 on, the strongest of other circles up to 0.23 (docs/lab/disks.md)")]
+        least_standout: f64 = 0.3,
         /// Two lengths do not contradict each other, however sure they are, if they disagree by no more than this share.
         #[range(0.001..=0.5)]
         #[source(by_hand = "ten captures, halved and doubled: nothing changes, for no two lengths disagree so far (docs/lab/numbers.md)")]
@@ -47,6 +47,11 @@ stage::params! {
         #[range(0.1..=50.0)]
         #[source(derived = "most_px of pose.calibrate: what features may miss where cameras are believed")]
         tag_px: f64 = CalibrateParams::default().most_px,
+        /// How strong radial distortion may be that is not known (k1): a disk is beside the photo's middle, where it is seen
+        /// larger or smaller by that.
+        #[range(0.0..=1.0)]
+        #[source(derived = "radial_sigma of pose.calibrate")]
+        radial_sigma: f64 = CalibrateParams::default().radial_sigma,
     }
 }
 
@@ -84,7 +89,7 @@ stage::failures! {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 17;
+    const VERSION: u32 = 18;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -127,6 +132,7 @@ impl Stage for Frame {
             tags,
             ground,
             by_soles: !placed && floor.is_none() && edge.is_none() && body.is_some(),
+            radial_sigma: p.radial_sigma,
         };
         let measures = measures(cameras, rig, &seen, |warning| ctx.warn(warning));
         if cameras.scale == Scale::Given {
