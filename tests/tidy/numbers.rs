@@ -30,7 +30,7 @@ const DEFAULTS_BY_HAND: [ByHand; 7] = [
     ("hull", [1, 0]),
     ("measure", [0, 1]),
     ("pose", [33, 0]),
-    ("refine", [0, 30]),
+    ("refine", [8, 22]),
     ("silhouette", [1, 6]),
     ("turning", [0, 2]),
 ];
