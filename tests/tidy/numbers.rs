@@ -16,7 +16,7 @@ const CONSTANTS_BY_HAND: [ByHand; 12] = [
     ("hull", [2, 1]),
     ("io", [0, 4]),
     ("measure", [66, 1]),
-    ("person", [2, 0]),
+    ("person", [3, 0]),
     ("pose", [57, 0]),
     ("refine", [1, 1]),
     ("report", [0, 3]),

@@ -26,7 +26,7 @@ pub struct FindPeople;
 
 impl Stage for FindPeople {
     const NAME: &'static str = "silhouette.person";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Finds the person on each photo by two learned networks: a coarse mask and joints, and whether the photos agree that it is a person.";
     type Params = FindPeopleParams;
     type Input = FindPeopleInput;
