@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Takes surfaces of people in rooms by set-ups drawn by a seed, and writes how the disk's size, masks and girths come out.
 
-    docs/tables/setups.py TAILOR WORK FIRST LAST SURFACE... > docs/tables/setups.json
+    docs/tables/setups.py TAILOR WORK FIRST LAST SURFACE... > WORK/setups.json
 
 As rooms.py, but the lens, its distance and height, what it looks at, its distortion (up to 1 % at the corners) and what EXIF says of
 it, the number of photos, the way and the evenness of the turn, the disk's size and the sway are drawn by the scene's number, too; the

@@ -58,7 +58,7 @@ struct Look {
 }
 
 /// Finds the round edge with the strongest step, within heights and radii. Of edges nearly as strong (a disk has a lower one
-/// too) the upper is taken. `may` tells of a circle's height and radius whether it can be a disk's.
+/// too) the upper is taken. `may` is whether a circle of a height and a radius can be a disk's.
 pub fn disk_edge(
     picture: &Rgb,
     camera: &Camera,
@@ -190,11 +190,11 @@ impl Look {
     /// A rim laid on its edge to a part of a pixel.
     fn exact(&self, rim: Rim) -> Option<Rim> {
         let ways = self.steps(&rim)?.ways();
+        let light = shape::light_of_levels().map(|light| 255.0 * light);
         let of = |way: Vector3<f64>| {
-            self.picture.map(|levels| {
-                let light = levels.map(|level| 255.0 * shape::light_of_level(f32::from(level)));
-                (0..3).map(|c| way[c] as f32 * light[c]).sum()
-            })
+            let toward = |c: usize, level: u8| way[c] as f32 * light[usize::from(level)];
+            let picture = &self.picture;
+            picture.map(|levels| (0..3).map(|c| toward(c, levels[c])).sum())
         };
         exact(&ways.map(of), &self.camera, rim)
     }

@@ -58,10 +58,7 @@ pub(super) fn levels(picture: &Rgb, at: Point2<f64>) -> Option<Vector3<f64>> {
     }
     let (x0, y0) = (at.x as usize, at.y as usize);
     let (fx, fy) = (at.x - x0 as f64, at.y - y0 as f64);
-    let of = |dx: usize, dy: usize| {
-        let [r, g, b] = picture.at(x0 + dx, y0 + dy);
-        Vector3::new(f64::from(r), f64::from(g), f64::from(b))
-    };
-    let across = |dy: usize| of(0, dy) * (1.0 - fx) + of(1, dy) * fx;
-    Some(across(0) * (1.0 - fy) + across(1) * fy)
+    let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| picture.at(x0 + dx, y0 + dy));
+    let of = |c: usize| shape::bilinear(four.map(|levels| f64::from(levels[c])), [fx, fy]);
+    Some(Vector3::new(of(0), of(1), of(2)))
 }

@@ -36,17 +36,16 @@ fn lit(bright: u8) -> impl Fn(f64, bool) -> u8 {
     move |r, _| if r < 210.0 { bright } else { 60 }
 }
 
+/// The edge that is found anywhere near the disk.
+fn found_in(picture: &Rgb, camera: &Camera) -> DiskEdge {
+    let (heights, radii) = ([-150.0, 80.0], [100.0, 300.0]);
+    disk_edge(picture, camera, heights, radii, &|_, _| true).unwrap()
+}
+
 #[test]
 fn a_bright_disk_on_a_dark_floor_is_found() {
     let (camera, picture) = seen(lit(180));
-    let found = disk_edge(
-        &picture,
-        &camera,
-        [-150.0, 80.0],
-        [100.0, 300.0],
-        &|_, _| true,
-    )
-    .unwrap();
+    let found = found_in(&picture, &camera);
     proof::near(found.radius, 210.0, 2.0);
     proof::near(found.height, -40.0, 3.0);
 }
@@ -95,14 +94,7 @@ fn a_disk_may_be_brighter_than_its_own_side_and_darker_than_the_floor() {
         (false, true) => 160,
         (false, false) => 40,
     });
-    let found = disk_edge(
-        &picture,
-        &camera,
-        [-150.0, 80.0],
-        [100.0, 300.0],
-        &|_, _| true,
-    )
-    .unwrap();
+    let found = found_in(&picture, &camera);
     proof::near(found.radius, 210.0, 1.0);
     proof::near(found.height, -40.0, 1.5);
 }
@@ -117,7 +109,7 @@ fn a_disk_whose_front_is_beyond_the_photo_is_found() {
     let mut cut = Rgb::filled(400, rows, [0; 3]);
     cut.data.copy_from_slice(&picture.data[..400 * rows]);
     camera.lens.height = rows as u32;
-    let found = disk_edge(&cut, &camera, [-150.0, 80.0], [100.0, 300.0], &|_, _| true).unwrap();
+    let found = found_in(&cut, &camera);
     proof::near(found.radius, 210.0, 2.0);
     proof::near(found.height, -40.0, 3.0);
 }
@@ -146,14 +138,7 @@ fn planks_are_no_disk() {
 fn a_disk_beside_the_axis_is_as_wide() {
     for aside in [-8.0, 8.0] {
         let (camera, picture) = aside_of_the_axis(aside, lit(180));
-        let found = disk_edge(
-            &picture,
-            &camera,
-            [-150.0, 80.0],
-            [100.0, 300.0],
-            &|_, _| true,
-        );
-        let found = found.unwrap();
+        let found = found_in(&picture, &camera);
         proof::near(found.radius, 210.0, 1.0);
         proof::near(found.height, -40.0, 1.5);
     }
