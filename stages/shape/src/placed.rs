@@ -60,6 +60,12 @@ impl Placed {
         }
     }
 
+    /// A level of the picture as the other is exposed.
+    #[inline]
+    pub fn levelled(&self, level: f32) -> f32 {
+        (level - self.bias as f32) / self.gain as f32
+    }
+
     /// From the picture to the other.
     pub fn inverse(&self) -> Placed {
         Placed {

@@ -45,8 +45,7 @@ pub fn registered(pictures: &[Gray]) -> (Vec<Option<Placed>>, Option<Gray>) {
 /// A photo at the place and exposure of the other photos.
 fn levelled(picture: &Gray, placed: &Placed) -> Gray {
     let mut out = placed.brought_gray(picture);
-    let (gain, bias) = (placed.gain as f32, placed.bias as f32);
-    out.data.iter_mut().for_each(|v| *v = (*v - bias) / gain);
+    out.data.iter_mut().for_each(|v| *v = placed.levelled(*v));
     out
 }
 

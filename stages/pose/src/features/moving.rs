@@ -46,9 +46,8 @@ fn regions(smalls: &[Gray]) -> Option<Vec<Image<bool>>> {
         .zip(&placed)
         .map(|(small, placed)| {
             let there = placed.brought_gray(small);
-            let (gain, bias) = (placed.gain as f32, placed.bias as f32);
             let off = there.data.iter().zip(&still.data);
-            let off: Vec<f32> = off.map(|(a, b)| ((a - bias) / gain - b).abs()).collect();
+            let off: Vec<f32> = off.map(|(a, b)| (placed.levelled(*a) - b).abs()).collect();
             let mut sorted = off.clone();
             let quiet = (off.len() as f64 * QUIET_SHARE) as usize;
             let (_, quiet, _) = sorted.select_nth_unstable_by(quiet, f32::total_cmp);

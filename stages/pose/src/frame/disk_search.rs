@@ -51,9 +51,8 @@ fn middle(pictures: &[Rgb], placed: &[Option<Placed>]) -> Option<Rgb> {
     let laid = laid.filter_map(|(picture, placed)| placed.map(|p| (p.brought(picture), p)));
     let laid: Vec<(Rgb, Placed)> = laid.collect();
     let channel = |c: usize| {
-        let alike = |(picture, p): &(Rgb, Placed)| {
-            picture.map(|levels| ((f64::from(levels[c]) - p.bias) / p.gain) as f32)
-        };
+        let alike =
+            |(picture, p): &(Rgb, Placed)| picture.map(|levels| p.levelled(f32::from(levels[c])));
         median(&laid.par_iter().map(alike).collect::<Vec<Gray>>())
     };
     let [red, green, blue] = [channel(0)?, channel(1)?, channel(2)?];
