@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Takes surfaces of people in rooms by set-ups drawn by a seed, and writes how the disk's size, masks and girths come out.
+"""Takes surfaces of people in rooms by set-ups drawn by a seed, and writes how cameras, the disk's size, masks and girths come out.
 
-    docs/tables/setups.py TAILOR WORK FIRST LAST SURFACE... > WORK/setups.json
+    docs/tables/setups.py TAILOR WORK FIRST LAST LIGHT SURFACE... > WORK/setups.json
 
 As rooms.py, but the lens, its distance and height, what it looks at, its distortion (up to 1 % at the corners) and what EXIF says of
 it, the number of photos, the way and the evenness of the turn, the disk's size and the sway are drawn by the scene's number, too; the
 body fills 70 to 85 % of the photo's height. `edge_share` is how much of the disk's edge is on the photos, `away_pct` how much too far
-the camera is by the disk's diameter, before there are masks (a focal length that EXIF has wrong makes it so, too, and no girth). Wants numpy, scipy, trimesh and Pillow.
+the camera is by the disk's diameter, before there are masks (a focal length that EXIF has wrong makes it so, too, and no girth);
+`focal_pct`, `row_px`, `pitch_deg` and `k1` are how far the lens and the camera's pitch are off. LIGHT is `even`, which throws no
+shadow, or `lamp` (on either side, up to 15 degrees wide) or `flash` (near the camera, low, up to 6 degrees wide), drawn by the
+scene's number, too. Wants numpy, scipy, trimesh and Pillow.
 """
 
 import json
@@ -45,6 +48,17 @@ def setup(scene):
     return params
 
 
+def light(kind, scene):
+    """Params of the light; a lamp's face is even in its logarithm."""
+    if kind == "even":
+        return {}
+    seed, widest, aside, low, high = {"lamp": (8000, 15, 120, 20, 70), "flash": (9000, 6, 25, 5, 40)}[kind]
+    draw = np.random.default_rng(seed + scene)
+    width = round(float(np.exp(draw.uniform(0, np.log(widest)))), 1)
+    right, up = round(draw.uniform(-aside, aside), 0), round(draw.uniform(low, high), 0)
+    return {"taken.lamp_deg": width, "taken.lamp_right_deg": right, "taken.lamp_up_deg": up}
+
+
 def edge_share(of):
     """How much of the disk's edge is on the photos."""
     radius, away, high = (of[f"ring.{name}_mm"] for name in ("disk", "distance", "camera"))
@@ -57,32 +71,42 @@ def edge_share(of):
     return round(float(seen.mean()), 2)
 
 
-def away_pct(tailor, work, capture, away_mm):
-    """How much farther the camera is by the disk's diameter; none where its edge was not found."""
+def cameras(tailor, work, capture, of):
+    """How far off the cameras are; none where there are none, no distance where the disk's edge was not found."""
     given = ["--input", f"photos={capture}", "--cache", work / "cache"]
     run = subprocess.run([tailor, "run", "body", *given, "--out", work / "placed", "--quiet", "placed"], stdout=sys.stderr)
     if run.returncode:
-        return None
+        return {}
     show = [tailor, "show", "placed", "--pipeline", "body", *given, "--as", "json", "-o", "-"]
     placed = json.loads(subprocess.run(show, check=True, capture_output=True, text=True).stdout)
-    if placed["scale"] != "disk":
-        return None
-    centres = [-np.array(view["R"]).T @ view["t"] for view in placed["views"]]
-    return round(100 * (float(np.mean([np.hypot(*centre[:2]) for centre in centres])) / away_mm - 1), 2)
+    first = placed["views"][0]
+    focal_px = of["ring.focal_35mm"] / FILM_MM * ACROSS_PX
+    pitch = np.arctan2(of["ring.camera_mm"] - of["ring.look_mm"], of["ring.distance_mm"])
+    row = {
+        "focal_pct": round(100 * (first["K"][0][0] / focal_px - 1), 2),
+        "row_px": round(first["K"][1][2] - (HEIGHT - 1) / 2 - of["ring.off_centre"] * HEIGHT, 1),
+        "pitch_deg": round(float(np.degrees(np.arcsin(-first["R"][2][2]) - pitch)), 2),
+        "k1": round(first["distortion"][0] - of["ring.k1"], 4),
+    }
+    if placed["scale"] == "disk":
+        centres = [-np.array(view["R"]).T @ view["t"] for view in placed["views"]]
+        away_mm = float(np.mean([np.hypot(*centre[:2]) for centre in centres]))
+        row["away_pct"] = round(100 * (away_mm / of["ring.distance_mm"] - 1), 2)
+    return row
 
 
-def main(tailor, work, first, last, *surfaces):
+def main(tailor, work, first, last, kind, *surfaces):
     """All scenes from the first to the last."""
     work = pathlib.Path(work).resolve()
     size, rows = dict(rooms.SIZE), {}
     for scene in range(int(first), int(last) + 1):
-        surface, of = pathlib.Path(surfaces[scene % len(surfaces)]), setup(scene)
+        surface, of = pathlib.Path(surfaces[scene % len(surfaces)]), setup(scene) | light(kind, scene)
         rooms.SIZE = size | of
         plated, bare, true = rooms.captures(tailor, work, scene, surface)
         row = {"surface": surface.name, "edge_share": edge_share(of)} | of
-        for kind, capture in [("plate", plated), ("none", bare)]:
-            row[kind] = {"away_pct": away_pct(tailor, work, capture, of["ring.distance_mm"])}
-            row[kind] |= rooms.measured(tailor, work, capture, true, surface)
+        for case, capture in [("plate", plated), ("none", bare)]:
+            row[case] = cameras(tailor, work, capture, of)
+            row[case] |= rooms.measured(tailor, work, capture, true, surface)
         rows[scene] = row
         print(scene, row, file=sys.stderr, flush=True)
     json.dump({**timed.made_with(tailor), "setups": rows}, sys.stdout, indent=1)

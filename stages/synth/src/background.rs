@@ -19,6 +19,17 @@ pub(crate) struct Background {
     pub(crate) palette: Palette,
 }
 
+/// Where a ray meets a wall, the floor or the ceiling.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hit {
+    /// The place. \[mm\]
+    pub(crate) at: Point3<f64>,
+    /// How far along the ray, in its lengths.
+    pub(crate) way: f64,
+    /// The axis that is square to it, and on which side it is: -1 or 1.
+    pub(crate) wall: (usize, f64),
+}
+
 impl Background {
     /// The background around a turntable for a camera, in axes in which the camera is at -y; the floor is
     /// so much below the disk's top, or under the camera.
@@ -37,6 +48,18 @@ impl Background {
 
     /// The colour that a ray from within meets, linear; `spread` is the angle of a pixel. \[rad\]
     pub(crate) fn color(&self, from: &Point3<f64>, along: &Vector3<f64>, spread: f64) -> [f32; 3] {
+        let Hit { at: hit, way, wall } = self.met(from, along);
+        let at = [0, 1, 2].map(|i| (hit[i] / self.scale) as f32);
+        let pixel = (way * spread / self.scale) as f32;
+        match wall {
+            (2, side) if side < 0.0 => self.floor(at, pixel),
+            (2, _) => [0.7; 3],
+            (axis, _) => self.wall(at, axis, pixel),
+        }
+    }
+
+    /// Where a ray from within meets it.
+    pub(crate) fn met(&self, from: &Point3<f64>, along: &Vector3<f64>) -> Hit {
         // The first wall on the way out.
         let (mut way, mut wall) = (f64::MAX, (2, -1.0));
         for axis in 0..3 {
@@ -51,13 +74,10 @@ impl Background {
                 (way, wall) = (t, (axis, side));
             }
         }
-        let hit = from + along * way;
-        let at = [0, 1, 2].map(|i| (hit[i] / self.scale) as f32);
-        let pixel = (way * spread / self.scale) as f32;
-        match wall {
-            (2, side) if side < 0.0 => self.floor(at, pixel),
-            (2, _) => [0.7; 3],
-            (axis, _) => self.wall(at, axis, pixel),
+        Hit {
+            at: from + along * way,
+            way,
+            wall,
         }
     }
 

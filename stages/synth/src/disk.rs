@@ -57,7 +57,34 @@ impl Disk {
         if let Some((t, hit)) = self.top_met(from, along) {
             return Some(self.top(hit.x, hit.y, (t * spread) as f32));
         }
-        // The rim: a cylinder about z.
+        let (t, hit) = self.rim_met(from, along)?;
+        // The strip is as tall as a tag with a margin of an eighth at either side.
+        if let Some(rim) = self.rim.filter(|rim| -hit.z < 1.25 * rim.tag_mm) {
+            let ink = in_rim_tag(&rim, libm::atan2(hit.y, hit.x), -hit.z);
+            return Some([if ink { 0.02 } else { PAPER_ALBEDO }; 3]);
+        }
+        let at = hit.coords.map(|x| x as f32).into();
+        let grain = octaves(at, 40.0, 5.0, (t * spread) as f32, self.seed + 21);
+        Some([0.05 * (1.0 + 0.3 * grain); 3])
+    }
+
+    /// Where a ray meets its top or its rim, and the normal there.
+    pub(crate) fn met(
+        &self,
+        from: &Point3<f64>,
+        along: &Vector3<f64>,
+    ) -> Option<(Point3<f64>, Vector3<f64>)> {
+        let top = self
+            .top_met(from, along)
+            .map(|(_, hit)| (hit, Vector3::z()));
+        top.or_else(|| {
+            let (_, hit) = self.rim_met(from, along)?;
+            Some((hit, Vector3::new(hit.x, hit.y, 0.0) / self.radius))
+        })
+    }
+
+    /// How far along a ray its rim is met, a cylinder about z, and where.
+    fn rim_met(&self, from: &Point3<f64>, along: &Vector3<f64>) -> Option<(f64, Point3<f64>)> {
         let a = along.x * along.x + along.y * along.y;
         let b = from.x * along.x + from.y * along.y;
         let c = from.x * from.x + from.y * from.y - self.radius * self.radius;
@@ -67,16 +94,7 @@ impl Disk {
         }
         let t = (-b - under.sqrt()) / a;
         let hit = from + along * t;
-        (t > 0.0 && (-self.thick..=0.0).contains(&hit.z)).then(|| {
-            // The strip is as tall as a tag with a margin of an eighth at either side.
-            if let Some(rim) = self.rim.filter(|rim| -hit.z < 1.25 * rim.tag_mm) {
-                let ink = in_rim_tag(&rim, libm::atan2(hit.y, hit.x), -hit.z);
-                return [if ink { 0.02 } else { PAPER_ALBEDO }; 3];
-            }
-            let at = hit.coords.map(|x| x as f32).into();
-            let grain = octaves(at, 40.0, 5.0, (t * spread) as f32, self.seed + 21);
-            [0.05 * (1.0 + 0.3 * grain); 3]
-        })
+        (t > 0.0 && (-self.thick..=0.0).contains(&hit.z)).then_some((t, hit))
     }
 
     /// How far along a ray its top is met, and where.

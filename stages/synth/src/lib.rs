@@ -13,6 +13,7 @@ mod background;
 mod body;
 mod bounds;
 mod contour;
+mod depths;
 mod dice;
 mod disk;
 mod drawn;
@@ -32,11 +33,14 @@ mod raster;
 mod restless;
 mod ring;
 mod score;
+mod shaded;
+mod shadow;
 mod skin;
 mod solid;
 mod surface;
 mod sway;
 mod turn;
+mod turn_params;
 
 pub use anatomy::{Build, body as body_solid};
 pub use body::{BodyInput, BodyParams, MakeBody};
@@ -57,7 +61,8 @@ pub use score::{Score, ScoreInput};
 pub use solid::{Figure, MakeSolid, SolidInput, SolidParams};
 pub use surface::surface;
 pub use sway::{MakeSway, SwayInput, SwayParams};
-pub use turn::{TakePhotos, TurnInput, TurnParams};
+pub use turn::{TakePhotos, TurnInput};
+pub use turn_params::TurnParams;
 
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[

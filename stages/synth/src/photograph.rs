@@ -5,6 +5,7 @@ use crate::disk::Disk;
 use crate::drawn::{Palette, Placed};
 use crate::noise::chance;
 use crate::raster::cast;
+use crate::shadow::{FACING, Lamp, Shade};
 use crate::skin::{Look, albedo};
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Image, Mesh, Pose, Rgb};
@@ -22,6 +23,8 @@ pub(crate) struct Scene {
     pub(crate) background: Background,
     /// The disk.
     pub(crate) disk: Option<Disk>,
+    /// What throws shadows; `None`: a light beside the camera that throws none.
+    pub(crate) lamp: Option<Lamp>,
     /// The share of light that comes from all sides.
     pub(crate) ambient: f64,
     /// Rays through a pixel along each of its sides.
@@ -100,11 +103,12 @@ pub(crate) fn with_body(
     (mesh, rest): (&Mesh, &Mesh),
     normals: &[Vector3<f64>],
     camera: &Camera,
-    motion: Option<&Pose>,
+    (motion, shade): (Option<&Pose>, Option<&Shade>),
 ) {
     let rest = &rest.positions[..];
     let moved = motion.map_or(Rotation3::identity(), |m| m.rotation);
     let light = moved.inverse() * (camera.pose.rotation.inverse() * light());
+    let (centre, to_world) = (camera.centre(), camera.pose.rotation.inverse());
     let focal = camera.lens.focal[0];
     cast(
         (mesh, rest),
@@ -114,7 +118,14 @@ pub(crate) fn with_body(
         scene.rays,
         |x, y, seen| {
             let normal = seen.normal.try_normalize(0.0).unwrap_or_default();
-            let bright = scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * 1.25;
+            let bright = shade.map_or_else(
+                || scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * FACING,
+                |shade| {
+                    let p = camera.lens.undistort(Point2::new(x as f64, y as f64));
+                    let there = to_world * (Vector3::new(p.x, p.y, 1.0) * seen.depth);
+                    shade.light(&(centre + there), &(moved * normal))
+                },
+            );
             let pixel = (seen.depth / focal) as f32;
             let at = seen.at_rest.map(|x| x as f32).into();
             let painted = || scene.palette.cover(at, &scene.body, pixel);
@@ -168,7 +179,8 @@ pub(crate) fn with_reflection(
             }
             let normal = seen.normal.try_normalize(0.0).unwrap_or_default();
             let normal = Vector3::new(normal.x, normal.y, -normal.z);
-            let bright = scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * 1.25;
+            let bright =
+                scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * FACING;
             let above = Point3::new(seen.at_rest.x, seen.at_rest.y, -seen.at_rest.z);
             let back = motion.rotation.inverse() * (above.coords - motion.translation);
             let at = back.map(|c| c as f32).into();

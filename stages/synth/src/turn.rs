@@ -8,7 +8,10 @@ use crate::photograph::{
     Scene, developed, empty_scene, fixed_pose, with_body, with_disk, with_reflection,
 };
 use crate::restless::Live;
+use crate::shaded::{darken, shade};
+use crate::shadow::{Lamp, moved};
 use crate::skin::Look;
+use crate::turn_params::TurnParams;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{
@@ -18,100 +21,6 @@ use shape::{
 use stage::{Ctx, Stage, Stop};
 use std::path::Path;
 use std::sync::Arc;
-
-stage::params! {
-    /// How body, disk, background and photos look, and what the user knows.
-    pub struct TurnParams {
-        /// Contrast of the body's texture: 0 none, 0.05 skin, 1 a printed dress.
-        #[range(0.0..=1.0)]
-        #[source(structural)]
-        contrast: f64 = 0.5,
-        /// Size of the finest marks on the body.
-        #[range(0.5..=200.0)]
-        #[source(structural)]
-        finest_mm: f64 = 4.0,
-        /// Size of the coarsest marks on the body.
-        #[range(1.0..=500.0)]
-        #[source(structural)]
-        coarsest_mm: f64 = 64.0,
-        /// Share of light that comes from all sides; the rest is a Lambert light beside the camera.
-        #[range(0.0..=1.0)]
-        #[source(structural)]
-        ambient: f64 = 0.5,
-        /// Standard deviation of the sensor's noise, in levels of 0..=255.
-        #[range(0.0..=50.0)]
-        #[source(structural)]
-        noise_levels: f64 = 1.0,
-        /// Whether levels are in proportion to light; else they are sRGB, as cameras write them.
-        linear: bool = false,
-        /// Rays through each pixel along each of its sides.
-        #[range(1..=8)]
-        #[source(structural)]
-        rays: u32 = 3,
-        /// Quality of the JPEG files, 1 to 100; 0 writes PNG, without loss.
-        #[range(0..=100)]
-        #[source(structural)]
-        jpeg_quality: u32 = 93,
-        /// Whether a marker mat is on the disk; else it is wood.
-        mat: bool = true,
-        /// Whether a strip of tags goes around the rim of a disk with a mat.
-        rim: bool = false,
-        /// Whether there is a photo of the scene without the body.
-        plate: bool = true,
-        /// By how much the focal length that EXIF tells is too short, as a share of it.
-        #[range(-0.2..=0.2)]
-        #[source(structural)]
-        exif_error: f64 = 0.004,
-        /// Background, clothes, skin, light and disk are drawn by this number; 0: the default, skin all over, a disk of wood.
-        /// A surface with colours of its own wears these.
-        #[range(0..=1000000)]
-        #[source(structural)]
-        scene: u32 = 0,
-        /// How far hands are elsewhere in each photo, one standard deviation a side; the head moves half as far, and a breath
-        /// lifts the chest by a quarter.
-        #[range(0.0..=200.0)]
-        #[source(structural)]
-        restless_mm: f64 = 0.0,
-        /// How far feet are elsewhere in each photo, one standard deviation a side: legs follow from the hip down.
-        #[range(0.0..=200.0)]
-        #[source(structural)]
-        feet_mm: f64 = 0.0,
-        /// How far arms are raised about the shoulders; below 0 they hang closer to the body.
-        #[range(-45.0..=90.0)]
-        #[source(structural)]
-        arms_deg: f64 = 0.0,
-        /// How far shorts hang away from the legs at their hem, in folds that hang otherwise in each photo.
-        #[range(0.0..=200.0)]
-        #[source(structural)]
-        worn_mm: f64 = 0.0,
-        /// How far the body turns while the camera reads its rows, one after the other.
-        #[range(0.0..=45.0)]
-        #[source(structural)]
-        read_deg: f64 = 0.0,
-        /// How many photos are from step to step, as the cameras and the sway have it: above 1, feet are set and keep their
-        /// places on the floor while the body turns over them, and all that moves does so smoothly, as in a film.
-        #[range(1..=720)]
-        #[source(structural)]
-        pace: u32 = 1,
-        /// How far feet are lifted in a film.
-        #[range(0.0..=500.0)]
-        #[source(structural)]
-        lift_mm: f64 = 0.0,
-        /// The share of the time from photo to photo in which rows are read, in a film.
-        #[range(0.0..=1.0)]
-        #[source(structural)]
-        read: f64 = 0.0,
-        /// The share of the time from photo to photo in which the shutter is open, in a film.
-        #[range(0.0..=1.0)]
-        #[source(structural)]
-        open: f64 = 0.0,
-        /// Seed of textures and noise.
-        #[range(0..=1000000)]
-        #[chance(seed)]
-        #[source(structural)]
-        seed: u32 = 1,
-    }
-}
 
 stage::inputs! {
     /// A body and the cameras that see it.
@@ -152,18 +61,7 @@ impl Stage for TakePhotos {
         let scene = scene(p, cameras, &first, mesh, mat, rim);
         let behind = empty_scene(&scene, &first, &fixed);
         let normals = mesh.normals();
-        let live = Live {
-            hands_mm: p.restless_mm,
-            feet_mm: p.feet_mm,
-            worn_mm: p.worn_mm,
-            arms_rad: p.arms_deg.to_radians(),
-            read_rad: p.read_deg.to_radians(),
-            pace: p.pace,
-            lift_mm: p.lift_mm,
-            read: p.read,
-            open: p.open,
-            seed: p.seed,
-        };
+        let live = live(p);
         let film = Film::of(&live, cameras, input.sway.as_deref(), (mesh, &normals));
         let steps = ctx.steps("photos", cameras.views.len());
         let take = |(i, (id, view)): (usize, &(PhotoId, shape::View))| -> Result<Photo, Stop> {
@@ -173,22 +71,27 @@ impl Stage for TakePhotos {
             let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&behind), camera, &fixed);
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
             with_reflection(&scene, &mut seen, mesh, camera, motion);
-            if live.rests() {
-                with_body(&scene, &mut seen, (mesh, mesh), &normals, camera, motion);
-            } else if p.pace > 1 {
+            if p.pace > 1 {
                 seen = film.exposed(&seen, i, camera, |seen, now| {
-                    with_body(&scene, seen, (now, mesh), &now.normals(), camera, motion);
+                    with_body(
+                        &scene,
+                        seen,
+                        (now, mesh),
+                        &now.normals(),
+                        camera,
+                        (motion, None),
+                    );
                 });
             } else {
-                let now = live.body((mesh, &normals), id.0, camera, motion);
-                with_body(
-                    &scene,
-                    &mut seen,
-                    (&now, mesh),
-                    &now.normals(),
-                    camera,
-                    motion,
-                );
+                let live =
+                    (!live.rests()).then(|| live.body((mesh, &normals), id.0, camera, motion));
+                let now = live.as_ref().unwrap_or(mesh);
+                let shade = shade(&scene, camera, &fixed, Some(&moved(now, motion)));
+                if let Some(shade) = &shade {
+                    darken(&scene, shade, &mut seen, camera, &fixed);
+                }
+                let by = (motion, shade.as_ref());
+                with_body(&scene, &mut seen, (now, mesh), &now.normals(), camera, by);
             }
             let rgb = developed(
                 &seen,
@@ -202,7 +105,10 @@ impl Stage for TakePhotos {
         let photos = cameras.views.as_slice().par_iter().enumerate().map(take);
         let photos: Vec<Photo> = photos.collect::<Result<_, _>>()?;
         let plate = p.plate.then(|| {
-            let empty = with_disk(&scene, &behind, &first, &fixed);
+            let mut empty = with_disk(&scene, &behind, &first, &fixed);
+            if let Some(shade) = shade(&scene, &first, &fixed, None) {
+                darken(&scene, &shade, &mut empty, &first, &fixed);
+            }
             let rgb = developed(&empty, scene.noise, p.linear, p.seed.wrapping_mul(1009) + 1);
             photo(p, "plate.jpg", &rgb, &first)
         });
@@ -217,6 +123,21 @@ impl Stage for TakePhotos {
             ..Rig::default()
         };
         Ok(Photos { photos, plate, rig })
+    }
+}
+
+fn live(p: &TurnParams) -> Live {
+    Live {
+        hands_mm: p.restless_mm,
+        feet_mm: p.feet_mm,
+        worn_mm: p.worn_mm,
+        arms_rad: p.arms_deg.to_radians(),
+        read_rad: p.read_deg.to_radians(),
+        pace: p.pace,
+        lift_mm: p.lift_mm,
+        read: p.read,
+        open: p.open,
+        seed: p.seed,
     }
 }
 
@@ -256,6 +177,11 @@ fn scene(
             foot: Point3::new(middle.x, middle.y, ends.0.z),
             tall: (ends.1.z - ends.0.z).max(1.0),
         },
+        lamp: (p.lamp_deg > 0.0).then(|| Lamp {
+            right: p.lamp_right_deg.to_radians(),
+            up: p.lamp_up_deg.to_radians(),
+            radius: p.lamp_deg.to_radians(),
+        }),
         ambient: palette.ambient.unwrap_or(p.ambient),
         rays: p.rays as usize,
         noise: p.noise_levels as f32,
