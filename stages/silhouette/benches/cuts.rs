@@ -95,7 +95,7 @@ fn main() {
     };
     let without = Backdrop::whole(plate);
     let one = || {
-        let ready = prepare(&photo, &without, None, 800, 150.0);
+        let ready = prepare(&photo, &without, None, 800, 150.0, &|_, _| vec![]);
         let (sides, gmm): (Image<bool>, _) = coarse(&ready, &settings).expect("a body");
         fine(&photo, &without, &ready, &sides, &gmm, &settings).area()
     };

@@ -12,7 +12,8 @@ use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
 use crate::likelihood::mirror::mirroring;
 use crate::likelihood::neighbourhoods::REACH_PX;
-use crate::likelihood::prepared::{Prepared, UNSEEN};
+use crate::likelihood::noise::Cast;
+use crate::likelihood::prepared::{COARSE_REACH_PX, Prepared, UNSEEN};
 use crate::scene::backdrop::Backdrop;
 use shape::{Gray, Image, Mask, Rgb, largest_part};
 use std::ops::Range;
@@ -31,7 +32,8 @@ pub fn fine(
     let (width, height) = (pixels.width, pixels.height);
     // The ground of every pixel is dear, and that of its neighbourhood serves.
     let grounds = Grounds::of(ready.floor.as_ref(), factor, width, height);
-    let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH_PX);
+    let mut noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH_PX);
+    noise.cast = cast(ready, image);
     let settings = &settings.with(noise);
     if factor == 1 {
         return soft_border(pixels, Some(without), coarse, noise);
@@ -81,6 +83,28 @@ pub fn fine(
         follow(&mut sides, &likeness, without, gmm, &odds);
     }
     soft_border(pixels, Some(without), &largest_part(&sides), noise)
+}
+
+/// Shadows that a lamp casts on walls, by the reduced photo.
+fn cast(ready: &Prepared, expected: &Rgb) -> Option<Cast> {
+    let grounds = Grounds::of(
+        ready.floor.as_ref(),
+        1,
+        ready.small.width,
+        ready.small.height,
+    );
+    let (on, expected) = (
+        |x: usize, y: usize| grounds.at(x, y),
+        expected.reduced(ready.factor),
+    );
+    let noise = Noise::measure(&ready.small, &expected, &on, COARSE_REACH_PX);
+    Cast::measure(
+        [&ready.small, &expected],
+        &on,
+        &ready.person,
+        &noise,
+        COARSE_REACH_PX,
+    )
 }
 
 /// What the coarse cut leaves open: its border, where nothing was certain before.

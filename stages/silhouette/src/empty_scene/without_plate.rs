@@ -123,7 +123,14 @@ impl Turn<'_> {
     fn one(&self, shot: &Shot, around: &Scene) -> Prepared {
         let behind = around.behind(&shot.small, &shot.camera);
         let disk = (self.radius > 0.0).then(|| Floor::of_disk(shot.camera, self.radius));
-        let mut ready = prepare(&shot.small, &behind, disk, usize::MAX, self.disk_side_mm);
+        let mut ready = prepare(
+            &shot.small,
+            &behind,
+            disk,
+            usize::MAX,
+            self.disk_side_mm,
+            &|_, _| vec![],
+        );
         if let Some((rectangle, factor)) = &self.within {
             rectangle.close(&mut ready.known, shot.small.width, *factor);
         }

@@ -1,10 +1,11 @@
 //! How well a pixel is explained by the background: negative log likelihoods.
 
+use crate::likelihood::grounds::DARKEST_LIGHTS;
 pub(crate) use crate::likelihood::grounds::Ground;
 use crate::likelihood::neighbourhoods::{box_means, least_around};
 pub(crate) use crate::likelihood::noise::FLAT;
 pub use crate::likelihood::noise::Noise;
-use crate::likelihood::noise::SHADED_LIGHT;
+use crate::likelihood::noise::{Cast, SHADED_LIGHT};
 use shape::Rgb;
 
 /// How far an edge of the background may move. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0007
@@ -13,20 +14,12 @@ const SLACK_PX: f32 = 0.4;
 /// A pixel that the background explains worse than by so much is not it, however much worse. By hand: looked at scenes
 /// 131 with a plate and 132 without, at 0.7 and 1.4 of it: mean IoU at most −0.0032 (waist 1.8 %) and +0.0000. \[nats\]
 pub(crate) const CAP: f32 = 24.0;
-/// Least noise of a neighbourhood's mean, off the disk and on it: light that the subject throws back colours what is
-/// near. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0002 on two scenes, their least photos
-/// −0.0005; on another −0.0007, its hip +0.13 %. \[levels\]
-const BOUNCE_LEVELS: [f32; 2] = [1.0, 2.0];
 /// What the noise grows by where the disk is all dark. By hand: looked at 0 in its place (docs/lab/masks.md): +0.0001
 /// on two scenes, their least photos −0.0008 without a plate. \[levels\]
 const THROWN_LEVELS: f32 = 10.0;
 /// Share of a background's neighbourhoods whose light the subject changes, by a shadow or by what it throws back. By
 /// hand: looked at renders of three backgrounds, where none was, and photos, where some are.
 const SHADED_SHARE: f32 = 0.1;
-/// The least light of a wall, the floor and the disk in the subject's shadow, as a share of their own. By hand: looked
-/// at scenes 131 with a plate and 132 without, at 0.7 and 1.4 of it on floor and disk: equal masks; on walls at 0.62 and
-/// 0.94: mean IoU at most −0.0002 and +0.0000.
-const DARKEST_LIGHTS: [f32; 3] = [0.88, 0.45, 0.2];
 /// The most light of any of them with what the subject throws back, as a share of its own. By hand: looked at scenes
 /// 131 with a plate and 132 without, at 1.02 and 1.46: mean IoU at most +0.0004 and +0.0008.
 const BRIGHTEST_LIGHT: f32 = 1.04;
@@ -105,9 +98,12 @@ impl Likeness<'_> {
         for (i, (x, y)) in places().enumerate().filter(|(i, _)| asked[*i] == 0.0) {
             let on = (self.ground)(x, y);
             let mean = expected_means[i];
-            let disk = usize::from(on == Ground::Disk);
-            let rough = self.noise.means[disk].max(BOUNCE_LEVELS[disk]);
-            means[i] = cost(photo_means[i], mean, mean, on, rough, self.noise.light);
+            let light = Light {
+                on,
+                spread: self.noise.light,
+                cast: self.noise.cast,
+            };
+            means[i] = cost(photo_means[i], mean, mean, light, self.noise.bounced(on));
             if wanted[i] == 0.0 {
                 single[i] = self.single(x, y, on);
             }
@@ -122,7 +118,12 @@ impl Likeness<'_> {
         let (lo, hi) = slack(self.expected, x, y);
         let shown = self.photo.at(x, y).map(f32::from);
         // The spread of light is that of means; one pixel's is mostly noise.
-        cost(shown, lo, hi, on, self.noise.on(on), SHADED_LIGHT)
+        let light = Light {
+            on,
+            spread: SHADED_LIGHT,
+            cast: self.noise.cast,
+        };
+        cost(shown, lo, hi, light, self.noise.on(on))
     }
 }
 
@@ -157,8 +158,38 @@ fn price_of_light(change: f32, sigma: f32) -> f32 {
     }
 }
 
-/// The cost of a colour against a box of colours, as it is or in a light whose spread on a background is `spread`.
-fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32, spread: f32) -> f32 {
+/// How light may change on a ground.
+#[derive(Clone, Copy)]
+struct Light {
+    on: Ground,
+    /// Its spread on a wall.
+    spread: f32,
+    /// Shadows that a lamp casts on walls.
+    cast: Option<Cast>,
+}
+
+impl Light {
+    /// The least there is.
+    fn darkest(&self) -> f32 {
+        let least = DARKEST_LIGHTS[self.on as usize];
+        let cast = self.cast.filter(|_| self.on == Ground::Wall);
+        cast.map_or(least, |cast| cast.darkest.min(least))
+    }
+
+    /// What a change costs.
+    fn price(&self, change: f32) -> f32 {
+        if self.on != Ground::Wall {
+            return SHADOW_NATS * change;
+        }
+        let usual = price_of_light(change, self.spread);
+        self.cast
+            .map_or(usual, |cast| usual.min(cast.price(self.spread)))
+    }
+}
+
+/// The cost of a colour against a box of colours, as it is or in a light.
+fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], in_light: Light, sigma: f32) -> f32 {
+    let on = in_light.on;
     let beyond = |light: f32| -> f32 {
         (0..3)
             .map(|c| (lo[c] * light - p[c]).max(p[c] - hi[c] * light).max(0.0))
@@ -168,13 +199,9 @@ fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32, spread:
     };
     // The light that explains the pixel best, by its brightness.
     let sum = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
-    let light =
-        (sum(p) / ((sum(lo) + sum(hi)) / 2.0)).clamp(DARKEST_LIGHTS[on as usize], BRIGHTEST_LIGHT);
-    let change = (light - 1.0).abs();
-    let price = match on {
-        Ground::Wall => price_of_light(change, spread),
-        _ => SHADOW_NATS * change,
-    };
+    let ratio = sum(p) / ((sum(lo) + sum(hi)) / 2.0);
+    let light = ratio.clamp(in_light.darkest(), BRIGHTEST_LIGHT);
+    let price = in_light.price((light - 1.0).abs());
     // The darker a shadow on the disk, the more of what is left there the subject's colour throws back.
     let thrown = match on {
         Ground::Disk => THROWN_LEVELS * (1.0 - light).max(0.0),

@@ -15,6 +15,11 @@ pub enum Ground {
     Disk,
 }
 
+/// The least light of a wall, the floor and the disk in the subject's shadow, as a share of their own. By hand: looked
+/// at scenes 131 with a plate and 132 without, at 0.7 and 1.4 of it on floor and disk: equal masks; on walls at 0.62 and
+/// 0.94: mean IoU at most −0.0002 and +0.0000.
+pub(crate) const DARKEST_LIGHTS: [f32; 3] = [0.88, 0.45, 0.2];
+
 /// Side of the blocks of a photo, in most of which the ground is the same (structural: it decides time alone). \[px\]
 const SIDE: usize = 8;
 /// Points of the disk's outline: fewer pixels apart than a block is wide (structural).

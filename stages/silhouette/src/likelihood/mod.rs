@@ -3,6 +3,7 @@
 pub(crate) mod background;
 pub(crate) mod behind;
 pub(crate) mod body;
+pub(crate) mod cast;
 pub(crate) mod colors_beside;
 pub(crate) mod disk_colors;
 pub(crate) mod floor;

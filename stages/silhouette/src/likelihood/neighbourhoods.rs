@@ -101,3 +101,25 @@ impl Sums {
         (sum, (x1 - x0) * (y1 - y0))
     }
 }
+/// The middles of neighbourhoods that are beside each other, every second pixel at most.
+pub(crate) fn places(image: &Rgb, reach: usize) -> impl Iterator<Item = (usize, usize)> {
+    let step = (2 * reach + 1).max(2);
+    let (width, height) = (image.width, image.height);
+    let rows = (reach..height.saturating_sub(reach)).step_by(step);
+    rows.flat_map(move |y| {
+        let columns = (reach..width.saturating_sub(reach)).step_by(step);
+        columns.map(move |x| (x, y))
+    })
+}
+
+/// The mean colour of a neighbourhood.
+pub(crate) fn mean(image: &Rgb, x: usize, y: usize, reach: usize) -> [f32; 3] {
+    let mut sum = [0u32; 3];
+    for y in y - reach..=y + reach {
+        for p in &image.row(y)[x - reach..=x + reach] {
+            (0..3).for_each(|c| sum[c] += u32::from(p[c]));
+        }
+    }
+    let count = ((2 * reach + 1) * (2 * reach + 1)) as f32;
+    sum.map(|s| s as f32 / count)
+}

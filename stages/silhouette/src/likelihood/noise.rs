@@ -1,6 +1,7 @@
 //! Noise of a photo against the background that is expected of it, measured.
 
 use crate::likelihood::grounds::Ground;
+use crate::likelihood::neighbourhoods::{mean, places};
 use shape::{QUIET_SHARE, QUIET_SIGMAS, Rgb};
 
 /// What a pixel that matches the background to the level costs: -ln of the greatest density of a normal distribution of
@@ -19,9 +20,32 @@ const LEAST_LIGHT: f32 = 0.5 / 128.0;
 /// it for all light, before that was measured (docs/lab/masks.md): mean IoU −0.0005 on four scenes with a plate,
 /// −0.0003 without.
 pub(crate) const SHADED_LIGHT: f32 = 0.04;
+/// Least noise of a neighbourhood's mean, off the disk and on it: light that the subject throws back colours what is
+/// near. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0002 on two scenes, their least photos
+/// −0.0005; on another −0.0007, its hip +0.13 %. \[levels\]
+const BOUNCE_LEVELS: [f32; 2] = [1.0, 2.0];
 /// By how much less the mean of a neighbourhood is noisy than a pixel, at least. By hand: looked at it for all photos,
 /// before that was measured (docs/lab/masks.md): equal bytes on four scenes; noisy photos lose more.
 const QUIETER_FACTOR: f32 = 2.5;
+
+/// How a lamp's shadows of the subject look on walls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cast {
+    /// Their share of the walls beside the subject.
+    pub share: f32,
+    /// The least light in them, as a share of the wall's own.
+    pub darkest: f32,
+}
+
+impl Cast {
+    /// What such a shadow costs beside a light that is normally distributed about the wall's own: densities of both, the
+    /// shadow's even from the darkest light to the wall's own. \[nats\]
+    pub(crate) fn price(&self, sigma: f32) -> f32 {
+        let usual = (1.0 - self.share) / (sigma * std::f32::consts::TAU.sqrt());
+        let cast = self.share / (1.0 - self.darkest);
+        libm::logf(usual / cast).max(0.0)
+    }
+}
 
 /// Standard deviations of photo and background against each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +59,8 @@ pub struct Noise {
     pub means: [f32; 2],
     /// Of the light of the walls' neighbourhoods, as a ratio; at most 4 %.
     pub light: f32,
+    /// Shadows that a lamp casts on walls, if they are seen there.
+    pub cast: Option<Cast>,
 }
 
 impl Noise {
@@ -45,6 +71,7 @@ impl Noise {
             disk: levels,
             means: [levels / QUIETER_FACTOR; 2],
             light: SHADED_LIGHT,
+            cast: None,
         }
     }
 
@@ -53,6 +80,12 @@ impl Noise {
             Ground::Disk => self.disk,
             _ => self.still,
         }
+    }
+
+    /// Noise of a neighbourhood's mean, with the light that the subject throws back. \[levels\]
+    pub(crate) fn bounced(&self, on: Ground) -> f32 {
+        let disk = usize::from(on == Ground::Disk);
+        self.means[disk].max(BOUNCE_LEVELS[disk])
     }
 
     /// By how much the density of the background, of which [`FLAT`] is the cost, is thinner for noise: three channels
@@ -88,6 +121,7 @@ impl Noise {
                 at_most(around.colors[1], disk),
             ],
             light: light.map_or(SHADED_LIGHT, |l| l.clamp(LEAST_LIGHT, SHADED_LIGHT)),
+            cast: None,
         }
     }
 }
@@ -128,29 +162,6 @@ impl Spread {
             light: lights.sigma(),
         }
     }
-}
-
-/// The middles of neighbourhoods that are beside each other, every second pixel at most.
-fn places(image: &Rgb, reach: usize) -> impl Iterator<Item = (usize, usize)> {
-    let step = (2 * reach + 1).max(2);
-    let (width, height) = (image.width, image.height);
-    let rows = (reach..height.saturating_sub(reach)).step_by(step);
-    rows.flat_map(move |y| {
-        let columns = (reach..width.saturating_sub(reach)).step_by(step);
-        columns.map(move |x| (x, y))
-    })
-}
-
-/// The mean colour of a neighbourhood.
-fn mean(image: &Rgb, x: usize, y: usize, reach: usize) -> [f32; 3] {
-    let mut sum = [0u32; 3];
-    for y in y - reach..=y + reach {
-        for p in &image.row(y)[x - reach..=x + reach] {
-            (0..3).for_each(|c| sum[c] += u32::from(p[c]));
-        }
-    }
-    let count = ((2 * reach + 1) * (2 * reach + 1)) as f32;
-    sum.map(|s| s as f32 / count)
 }
 
 /// A histogram of absolute differences.

@@ -7,6 +7,7 @@ use crate::likelihood::body::STRANGE;
 use crate::likelihood::floor::Floor;
 use crate::likelihood::grounds::Grounds;
 use crate::likelihood::neighbourhoods::REACH_PX;
+use crate::likelihood::noise::Cast;
 use crate::scene::backdrop::Backdrop;
 use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3};
@@ -77,27 +78,31 @@ impl Prepared {
 }
 
 /// Half the side of neighbourhoods of the reduced photo (derived: of at least two pixels each). \[px\]
-const COARSE_REACH_PX: usize = REACH_PX / 2;
+pub(crate) const COARSE_REACH_PX: usize = REACH_PX / 2;
 
 /// What the background costs where nobody saw it: a little more than any colour of the body does, for it is the body
 /// that covers it (structural: by ln 2; at 9.8 and 19.6 more than [`FLAT`] masks are equal). \[nats\]
 pub(crate) const UNSEEN: f32 = STRANGE as f32 + std::f32::consts::LN_2;
 
 /// Makes a photo ready to be cut. `without` is what it would show without the subject, `coarse_px`
-/// the longest side of the reduced photo.
+/// the longest side of the reduced photo, `sense` a person's log-odds for its size and factor.
 pub fn prepare(
     pixels: &Rgb,
     without: &Backdrop,
     floor: Option<Floor>,
     coarse_px: usize,
     side_mm: f64,
+    sense: &dyn Fn([usize; 2], usize) -> Vec<f32>,
 ) -> Prepared {
     let factor = factor(pixels, coarse_px);
     let (small, expected) = (pixels.reduced(factor), without.image.reduced(factor));
     let floor = floor.map(|floor| floor.resized(small.width, small.height));
     let grounds = Grounds::of(floor.as_ref(), 1, small.width, small.height);
     let on = |x: usize, y: usize| grounds.at(x, y);
+    let person = sense([small.width, small.height], factor);
     let noise = Noise::measure(&small, &expected, &on, COARSE_REACH_PX);
+    let cast = Cast::measure([&small, &expected], &on, &person, &noise, COARSE_REACH_PX);
+    let noise = Noise { cast, ..noise };
     let all = [0, 0, small.width, small.height];
     let mut cost = background_cost(&small, &expected, noise, &on, COARSE_REACH_PX, all);
     for (i, cost) in cost.iter_mut().enumerate() {
@@ -111,7 +116,7 @@ pub fn prepare(
     Prepared {
         factor,
         small,
-        person: Vec::new(),
+        person,
         mirrored: Vec::new(),
         unforeseen: None,
         cost,

@@ -46,7 +46,7 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 15;
+    const VERSION: u32 = 16;
     const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of disk, floor and walls, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
@@ -72,6 +72,7 @@ impl Stage for Likelihood {
         let steps = ctx.steps("photos", all.len());
         let turn = Turn {
             aligned,
+            people,
             behind,
             disk_side_mm: p.disk_side_mm,
         };
@@ -95,12 +96,6 @@ impl Stage for Likelihood {
                     turn.with_mirrored(evidence, gained, *id, photo)?
                 }
             };
-            let size = [evidence.photo.width, evidence.photo.height];
-            let people = people.filter(|_| !scene.is_unknown());
-            let evidence = PhotoEvidence {
-                person: sense(people, *id, size, evidence.factor as usize),
-                ..evidence
-            };
             steps.tick()?;
             Ok((*id, evidence))
         };
@@ -114,6 +109,7 @@ impl Stage for Likelihood {
 /// What photos of a turn are weighed by.
 struct Turn<'a> {
     aligned: &'a Aligned,
+    people: Option<&'a People>,
     behind: Behind<'a>,
     disk_side_mm: f64,
 }
@@ -155,7 +151,8 @@ impl Turn<'_> {
     /// A photo before what it would show without the subject, and that, reduced.
     fn ready(&self, id: PhotoId, pixels: &Rgb, without: &Backdrop) -> (Prepared, Rgb) {
         let (floor, most) = (self.behind.floor(id), self.aligned.coarse_px as usize);
-        let mut ready = prepare(pixels, without, floor, most, self.disk_side_mm);
+        let sense = |size, factor| sense(self.people, id, size, factor);
+        let mut ready = prepare(pixels, without, floor, most, self.disk_side_mm, &sense);
         let shown = without.image.reduced(ready.factor);
         missed_in_photo(&mut ready, &shown);
         (ready, shown)

@@ -47,7 +47,14 @@ fn overlap(photo: &Rgb, plate: &Rgb, truth: &Image<bool>) -> f64 {
         clusters: 6,
         thinner: 0.0,
     };
-    let ready = prepare(photo, &Backdrop::whole(plate.clone()), None, 800, 0.0);
+    let ready = prepare(
+        photo,
+        &Backdrop::whole(plate.clone()),
+        None,
+        800,
+        0.0,
+        &|_, _| vec![],
+    );
     let (sides, _) = coarse(&ready, &settings).unwrap();
     let pairs = || sides.data.iter().zip(&truth.data);
     let both = pairs().filter(|(a, b)| **a && **b).count();

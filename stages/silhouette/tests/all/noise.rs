@@ -51,7 +51,7 @@ fn lost_and_kept(noise: f64, seed: u64) -> (f64, f64) {
         clusters: 6,
         thinner: 0.0,
     };
-    let ready = prepare(&photo, &plate, None, COARSE_PX, 0.0);
+    let ready = prepare(&photo, &plate, None, COARSE_PX, 0.0, &|_, _| vec![]);
     let (sides, colors) = coarse(&ready, &settings).expect("a body");
     let mask = fine(&photo, &plate, &ready, &sides, &colors, &settings);
     let share = |columns: std::ops::Range<usize>, body: bool| {

@@ -37,7 +37,7 @@ fn unseen_behind() -> (Rgb, Backdrop, Prepared, Image<bool>) {
         image: raster(SIDE, SIDE, wall.collect()),
         seen: raster(SIDE, SIDE, (0..SIDE * SIDE).map(seen).collect()),
     };
-    let ready = prepare(&photo, &without, None, SIDE / 2, 0.0);
+    let ready = prepare(&photo, &without, None, SIDE / 2, 0.0, &|_, _| vec![]);
     let half = SIDE / 2;
     let whole = |i: usize| i / half * 2 * SIDE + i % half * 2;
     let coarse = (0..half * half).map(|i| depth(whole(i)) > -2.0);

@@ -152,7 +152,7 @@ fn feet_of_the_colour_of_the_wood_lack_its_grain_and_their_shadow_does_not() {
     for (((shot, shows), strange), covered) in all {
         let behind = around.behind(&shot.small, &shot.camera);
         let disk = Some(Floor::of_disk(shot.camera, RADIUS));
-        let ready = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
+        let ready = prepare(&shot.small, &behind, disk, usize::MAX, 0.0, &|_, _| vec![]);
         for i in (0..shows.len()).filter(|i| behind.seen.data[*i]) {
             let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
             let Some(hit) = on_disk(&shot.camera, at, 0.95 * RADIUS) else {
@@ -187,7 +187,7 @@ fn feet_of_the_colour_of_the_wood_lack_its_grain_and_their_shadow_does_not() {
 fn weighed(shot: &Shot, plate: Rgb) -> [Prepared; 2] {
     let disk = Some(Floor::of_disk(shot.camera, RADIUS));
     let behind = Backdrop::whole(plate);
-    let ready = || prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
+    let ready = || prepare(&shot.small, &behind, disk, usize::MAX, 0.0, &|_, _| vec![]);
     let mut after = ready();
     missed_in_photo(&mut after, &behind.image);
     [ready(), after]
