@@ -70,19 +70,21 @@ pub(crate) fn focal_sigma(rig: &Rig, lens: &Intrinsics, p: &CalibrateParams) -> 
     libm::hypot(libm::hypot(p.focal_sigma, rounded), crop)
 }
 
+/// The first radial coefficient that moves a corner of the photo by a share of its way from the middle.
+pub(crate) fn radial_of(corner_share: f64, lens: &Intrinsics) -> f64 {
+    let half = [lens.width, lens.height].map(|side| f64::from(side) / 2.0);
+    let corner = libm::hypot(half[0], half[1]) / lens.focal[0];
+    corner_share / (corner * corner)
+}
+
 /// The belief about the lens: `focal_sigma` is a share of its focal length.
 pub(crate) fn lens_prior(lens: &Intrinsics, focal_sigma: f64, p: &CalibrateParams) -> LensPrior {
     let longer = f64::from(lens.width.max(lens.height));
     let c = p.centre_sigma * longer;
+    let radial = radial_of(p.corner_sigma, lens);
     LensPrior {
         mean: lens_values(lens),
-        sigma: [
-            focal_sigma * lens.focal[0],
-            c,
-            c,
-            p.radial_sigma,
-            p.radial_sigma / 2.0,
-        ],
+        sigma: [focal_sigma * lens.focal[0], c, c, radial, radial / 2.0],
     }
 }
 

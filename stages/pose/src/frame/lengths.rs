@@ -1,5 +1,6 @@
 //! The lengths that are known of a capture, and what each makes of the cameras' unit.
 
+use crate::calibration::prior::radial_of;
 use crate::frame::disk_edge::DiskEdge;
 use crate::frame::stature::Stature;
 use crate::frame::tag_scale::{Known, TagScale, tag_scale};
@@ -50,8 +51,8 @@ pub(crate) struct Seen {
     pub(crate) ground: f64,
     /// Whether soles alone give the ground.
     pub(crate) by_soles: bool,
-    /// Standard deviation of the lens' first radial coefficient.
-    pub(crate) radial_sigma: f64,
+    /// Standard deviation of what radial distortion does at a corner of the photo, as a share of its way from the middle.
+    pub(crate) corner_sigma: f64,
 }
 
 /// Standard deviation of a stature that is given and silhouettes show, as a share. By hand: looked at six captures,
@@ -68,10 +69,11 @@ const DISK_SIGMA: f64 = 0.004;
 
 /// By what share a length at a height of the axis may be seen too large beside one at the photo's middle, for k1 may be off:
 /// σ r² (the first term of the radial polynomial).
-fn distorted(cameras: &Cameras, height: f64, radial_sigma: f64) -> Option<f64> {
+fn distorted(cameras: &Cameras, height: f64, corner_sigma: f64) -> Option<f64> {
     let camera = &cameras.views.values().next()?.camera;
     let at = camera.pose.apply(&Point3::new(0.0, 0.0, height));
-    Some(radial_sigma * (at.x * at.x + at.y * at.y) / (at.z * at.z))
+    let radial = radial_of(corner_sigma, &camera.lens);
+    Some(radial * (at.x * at.x + at.y * at.y) / (at.z * at.z))
 }
 
 /// Standard deviation of a length that is read off a ruler in whole millimetres: even from half of one below to half of one above. \[mm\]
@@ -121,7 +123,7 @@ pub(crate) fn measures(
             mm_per_unit: mm / 2.0 / edge.radius,
             sigma: Some(libm::hypot(
                 libm::hypot(DISK_SIGMA, cut),
-                distorted(cameras, edge.height, seen.radial_sigma)?,
+                distorted(cameras, edge.height, seen.corner_sigma)?,
             )),
             length: Length::Disk.or_reference(scale),
             given: Some(mm),
@@ -245,7 +247,9 @@ mod tests {
             [(shape::PhotoId(0), View::of("0000.jpg", camera))],
             Scale::Nothing,
         );
-        proof::near(distorted(&cameras, 0.0, 0.03).unwrap(), 0.03 / 9.0, 1e-9);
-        proof::near(distorted(&cameras, 1000.0, 0.03).unwrap(), 0.0, 1e-9);
+        let corner = 750.0 / 1700.0;
+        let want = 0.005 / (corner * corner) / 9.0;
+        proof::near(distorted(&cameras, 0.0, 0.005).unwrap(), want, 1e-9);
+        proof::near(distorted(&cameras, 1000.0, 0.005).unwrap(), 0.0, 1e-9);
     }
 }

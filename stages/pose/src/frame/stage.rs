@@ -47,11 +47,11 @@ stage::params! {
         #[range(0.1..=50.0)]
         #[source(derived = "most_px of pose.calibrate: what features may miss where cameras are believed")]
         tag_px: f64 = CalibrateParams::default().most_px,
-        /// How strong radial distortion may be that is not known (k1): a disk is beside the photo's middle, where it is seen
-        /// larger or smaller by that.
-        #[range(0.0..=1.0)]
-        #[source(derived = "radial_sigma of pose.calibrate")]
-        radial_sigma: f64 = CalibrateParams::default().radial_sigma,
+        /// How far radial distortion that is not known may move what is at a corner of the photo, as a share of its way from the
+        /// middle: a disk is beside the middle, where it is seen larger or smaller by that.
+        #[range(0.0..=0.5)]
+        #[source(derived = "corner_sigma of pose.calibrate")]
+        corner_sigma: f64 = CalibrateParams::default().corner_sigma,
     }
 }
 
@@ -89,7 +89,7 @@ stage::failures! {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 18;
+    const VERSION: u32 = 19;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -132,7 +132,7 @@ impl Stage for Frame {
             tags,
             ground,
             by_soles: !placed && floor.is_none() && edge.is_none() && body.is_some(),
-            radial_sigma: p.radial_sigma,
+            corner_sigma: p.corner_sigma,
         };
         let measures = measures(cameras, rig, &seen, |warning| ctx.warn(warning));
         if cameras.scale == Scale::Given {
