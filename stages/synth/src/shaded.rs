@@ -1,7 +1,7 @@
 //! Shadows on the background and the disk of one photo.
 
 use crate::photograph::{Linear, Scene};
-use crate::shadow::Shade;
+use crate::shadow::{Shade, moved};
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use rayon::prelude::*;
 use shape::{Camera, Mesh, Pose};
@@ -11,18 +11,24 @@ fn to_world(camera: &Camera, fixed: &Pose) -> Rotation3<f64> {
     camera.pose.rotation.inverse() * fixed.rotation
 }
 
-/// What keeps light off in one photo: the disk and the body as the photo's world has it; `None` if nothing throws shadows.
+/// What keeps light off in one photo: the disk and the body, moved into the photo's world; `None` if nothing throws shadows.
 pub(crate) fn shade(
     scene: &Scene,
     camera: &Camera,
     fixed: &Pose,
-    body: Option<&Mesh>,
+    body: Option<(&Mesh, Option<&Pose>)>,
 ) -> Option<Shade> {
-    let disk = scene.disk.as_ref();
+    let lamp = scene.lamp?;
+    let body = body.map(|(mesh, motion)| moved(mesh, motion));
     let turned = to_world(camera, fixed);
-    scene
-        .lamp
-        .map(|lamp| Shade::of(&lamp, scene.ambient, body, disk, &turned))
+    let disk = scene.disk.as_ref();
+    Some(Shade::of(
+        &lamp,
+        scene.ambient,
+        body.as_ref(),
+        disk,
+        &turned,
+    ))
 }
 
 /// Darkens what is seen of the background and the disk by what keeps light off it.

@@ -9,7 +9,7 @@ use crate::photograph::{
 };
 use crate::restless::Live;
 use crate::shaded::{darken, shade};
-use crate::shadow::{Lamp, moved};
+use crate::shadow::Lamp;
 use crate::skin::Look;
 use crate::turn_params::TurnParams;
 use nalgebra::Point3;
@@ -86,7 +86,7 @@ impl Stage for TakePhotos {
                 let live =
                     (!live.rests()).then(|| live.body((mesh, &normals), id.0, camera, motion));
                 let now = live.as_ref().unwrap_or(mesh);
-                let shade = shade(&scene, camera, &fixed, Some(&moved(now, motion)));
+                let shade = shade(&scene, camera, &fixed, Some((now, motion)));
                 if let Some(shade) = &shade {
                     darken(&scene, shade, &mut seen, camera, &fixed);
                 }
