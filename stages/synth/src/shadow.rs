@@ -103,25 +103,25 @@ impl Shade {
 
     /// The light that a place with a unit normal gets; 1 is the light of all sides together where nothing is before it.
     pub(crate) fn light(&self, at: &Point3<f64>, normal: &Vector3<f64>) -> f64 {
-        let [around, lamp] = [&self.around, &self.lamp].map(|maps| self.seen(maps, at, normal));
-        let all = ALL_DIRECTIONS as f64 / 4.0;
-        self.ambient * around / all + (1.0 - self.ambient) * FACING * lamp / LAMP_DIRECTIONS as f64
+        self.mixed(|maps| self.seen(maps, at, normal))
     }
 
     /// The same as a share of what it would get if nothing were before the light.
     pub(crate) fn share(&self, at: &Point3<f64>, normal: &Vector3<f64>) -> f64 {
-        let facing = |maps: &[Depths]| {
-            let sum = |m: &Depths| m.towards.dot(normal).max(0.0);
-            maps.iter().map(sum).sum::<f64>()
-        };
-        let all = ALL_DIRECTIONS as f64 / 4.0;
-        let lamp = facing(&self.lamp) / LAMP_DIRECTIONS as f64;
-        let free = self.ambient * facing(&self.around) / all + (1.0 - self.ambient) * FACING * lamp;
+        let facing = |m: &Depths| m.towards.dot(normal).max(0.0);
+        let free = self.mixed(|maps| maps.iter().map(facing).sum());
         if free > 0.0 {
             self.light(at, normal) / free
         } else {
             1.0
         }
+    }
+
+    /// Light from all sides and the lamp's together, from sums over the directions of each.
+    fn mixed(&self, sum: impl Fn(&[Depths]) -> f64) -> f64 {
+        let [around, lamp] = [&self.around, &self.lamp].map(|maps| sum(maps));
+        let all = ALL_DIRECTIONS as f64 / 4.0;
+        self.ambient * around / all + (1.0 - self.ambient) * FACING * lamp / LAMP_DIRECTIONS as f64
     }
 
     fn seen(&self, maps: &[Depths], at: &Point3<f64>, normal: &Vector3<f64>) -> f64 {
