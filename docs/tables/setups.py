@@ -9,7 +9,8 @@ body fills 70 to 85 % of the photo's height. `edge_share` is how much of the dis
 the camera is by the disk's diameter, before there are masks (a focal length that EXIF has wrong makes it so, too, and no girth);
 `focal_pct`, `row_px`, `pitch_deg` and `k1` are how far the lens and the camera's pitch are off. LIGHT is `even`, which throws no
 shadow, or `lamp` (on either side, up to 15 degrees wide) or `flash` (near the camera, low, up to 6 degrees wide), drawn by the
-scene's number, too. Wants numpy, scipy, trimesh and Pillow.
+scene's number, too, or `toned`: even, but the phone takes back a quarter to a half of what surroundings differ by, photo by photo.
+Wants numpy, scipy, trimesh and Pillow.
 """
 
 import json
@@ -49,9 +50,11 @@ def setup(scene):
 
 
 def light(kind, scene):
-    """Params of the light; a lamp's face is even in its logarithm."""
+    """Params of the light and of what the phone makes of it; a lamp's face is even in its logarithm."""
     if kind == "even":
         return {}
+    if kind == "toned":
+        return {"photos.local_tone": 0.5}
     seed, widest, aside, low, high = {"lamp": (8000, 15, 120, 20, 70), "flash": (9000, 6, 25, 5, 40)}[kind]
     draw = np.random.default_rng(seed + scene)
     width = round(float(np.exp(draw.uniform(0, np.log(widest)))), 1)

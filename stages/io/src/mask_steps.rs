@@ -140,6 +140,7 @@ mod tests {
             photo: Rgb::filled(2, 1, [60; 3]),
             background: vec![4.5, 28.5],
             mirrored: vec![],
+            light: vec![],
             person: vec![],
             known: vec![Known::Unknown; 2],
             noise_levels: 1.0,

@@ -48,6 +48,8 @@ pub struct PhotoEvidence {
     /// Light that the disk gains by what it mirrors of the body, three channels a pixel; empty where it mirrors nothing that
     /// shows, or nobody asked. \[1 is white\]
     pub mirrored: Vec<f32>,
+    /// How many times as bright each pixel is as the scene there; empty where they are alike, or nobody asked.
+    pub light: Vec<f32>,
     /// What is certain.
     pub known: Vec<Known>,
     /// How far the photo and what was expected of it differ without a reason. \[levels\]
@@ -58,7 +60,7 @@ impl PhotoEvidence {
     /// Hash of all of it: for [`stage::Ctx::part`].
     pub fn content(&self) -> Hash {
         let known: Vec<u8> = self.known.iter().map(|k| *k as u8).collect();
-        let costs = [&self.background, &self.person, &self.mirrored];
+        let costs = [&self.background, &self.person, &self.mirrored, &self.light];
         let mut bytes = format!("{} {}", self.factor, self.noise_levels).into_bytes();
         let mut add = |part: &[u8]| bytes.extend_from_slice(stage::hash(part).as_bytes());
         add(self.photo.data.as_flattened());
@@ -91,12 +93,12 @@ pub struct Evidence {
 /// Photo, size, factor, noise.
 type Row = (u32, [u32; 2], u32, f32);
 
-/// The sections of a photo's costs, and of the light that it gains.
-const COSTS: [&str; 3] = ["background", "person", "mirrored"];
+/// The sections of a photo's costs, and of its light.
+const COSTS: [&str; 4] = ["background", "person", "mirrored", "light"];
 
 impl Artifact for Evidence {
     const KIND: &'static str = "evidence";
-    const FORMAT: u32 = 6;
+    const FORMAT: u32 = 7;
 
     fn pack(&self, to: &mut Packer) {
         let row = |(id, e): (PhotoId, &PhotoEvidence)| -> Row {
@@ -107,7 +109,7 @@ impl Artifact for Evidence {
         for (PhotoId(id), e) in self.views.iter() {
             to.section(format!("photo {id}"), &e.photo.data);
             to.section(format!("known {id}"), &Known::bytes(&e.known));
-            let costs = [&e.background, &e.person, &e.mirrored];
+            let costs = [&e.background, &e.person, &e.mirrored, &e.light];
             for (name, cost) in COSTS.iter().zip(costs) {
                 let (lengths, kept) = repeats(cost);
                 to.section(format!("{name} {id} lengths"), &lengths);
@@ -140,6 +142,7 @@ impl Artifact for Evidence {
                 background,
                 person: if_asked(COSTS[1], count)?,
                 mirrored: if_asked(COSTS[2], 3 * count)?,
+                light: if_asked(COSTS[3], count)?,
                 known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
                 photo,
                 noise_levels,
@@ -163,6 +166,7 @@ mod tests {
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
             person: person.to_vec(),
             mirrored: person.repeat(3),
+            light: person.to_vec(),
             known: vec![
                 Known::Unknown,
                 Known::Unknown,

@@ -10,6 +10,7 @@ use crate::likelihood::background::{Likeness, Noise};
 use crate::likelihood::colors_beside::Nearby;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
+use crate::likelihood::local_light::lit;
 use crate::likelihood::mirror::mirroring;
 use crate::likelihood::neighbourhoods::REACH_PX;
 use crate::likelihood::noise::Cast;
@@ -28,12 +29,19 @@ pub fn fine(
     settings: &Settings,
 ) -> Mask {
     let factor = ready.factor;
+    let unlit = without;
+    let cast = cast(ready, &unlit.image);
+    let brought = (!ready.light.is_empty()).then(|| Backdrop {
+        image: lit(&without.image, &ready.light, factor),
+        seen: without.seen.clone(),
+    });
+    let without = brought.as_ref().unwrap_or(without);
     let image = &without.image;
     let (width, height) = (pixels.width, pixels.height);
     // The ground of every pixel is dear, and that of its neighbourhood serves.
     let grounds = Grounds::of(ready.floor.as_ref(), factor, width, height);
     let mut noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH_PX);
-    noise.cast = cast(ready, image);
+    noise.cast = cast;
     let settings = &settings.with(noise);
     if factor == 1 {
         return soft_border(pixels, Some(without), coarse, noise);
@@ -48,12 +56,16 @@ pub fn fine(
         reach: REACH_PX,
     };
     let mut cost = settled.cost(&likeness, without);
-    if !ready.mirrored.is_empty() {
-        let mirroring = Likeness {
-            expected: &mirroring(image, &ready.mirrored, factor),
-            ..likeness
-        };
-        let other = settled.cost(&mirroring, without);
+    let unlit = brought.is_some().then(|| unlit.image.clone());
+    let mirroring = (!ready.mirrored.is_empty()).then(|| mirroring(image, &ready.mirrored, factor));
+    for expected in [unlit, mirroring].iter().flatten() {
+        let other = settled.cost(
+            &Likeness {
+                expected,
+                ..likeness
+            },
+            without,
+        );
         let both = cost.iter_mut().zip(&other);
         both.for_each(|(cost, other)| *cost = cost.min(*other));
     }

@@ -53,7 +53,7 @@ pub struct Border;
 
 impl Stage for Border {
     const NAME: &'static str = "silhouette.border";
-    const VERSION: u32 = 17;
+    const VERSION: u32 = 18;
     const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and gives how much of each border pixel is body.";
     type Params = BorderParams;
     type Input = BorderInput;

@@ -8,7 +8,7 @@ use shape::Rgb;
 
 /// A colour in another light is the wall's within so many standard deviations (derived: 0.3 % of a normal distribution is
 /// beyond).
-const SAME_SIGMAS: f32 = 3.0;
+pub(crate) const SAME_SIGMAS: f32 = 3.0;
 /// Fewer neighbourhoods show nothing of a distribution (structural: samples).
 const FEW: usize = 40;
 
@@ -39,23 +39,39 @@ impl Cast {
     }
 }
 
-/// The light of a neighbourhood that is darker than what a subject nearby makes of a wall, and otherwise alike.
-fn shaded(
-    [photo, expected]: [&Rgb; 2],
-    x: usize,
-    y: usize,
-    noise: &Noise,
-    reach: usize,
-) -> Option<f32> {
-    let [p, e] = [photo, expected].map(|image| mean(image, x, y, reach));
-    let bright = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
-    let light = bright(p) / bright(e);
-    let off = (0..3)
-        .map(|c| (p[c] - light * e[c]).powi(2))
-        .sum::<f32>()
-        .sqrt();
-    let same = off < SAME_SIGMAS * noise.bounced(Ground::Wall);
-    (same && light < DARKEST_LIGHTS[Ground::Wall as usize]).then_some(light)
+/// The light of a neighbourhood that is darker than what a subject nearby makes of a wall.
+fn shaded(both: [&Rgb; 2], x: usize, y: usize, noise: &Noise, reach: usize) -> Option<f32> {
+    let change = Change::at(both, x, y, reach);
+    let alike = change.other < SAME_SIGMAS * noise.bounced(Ground::Wall);
+    (alike && change.light < DARKEST_LIGHTS[Ground::Wall as usize]).then_some(change.light)
+}
+
+/// How a photo's neighbourhood differs from what is expected of it.
+pub(crate) struct Change {
+    /// How many times as bright it is.
+    pub(crate) light: f32,
+    /// All that it differs by. \[levels\]
+    pub(crate) all: f32,
+    /// What is left where it is as bright. \[levels\]
+    pub(crate) other: f32,
+}
+
+impl Change {
+    /// Of the neighbourhood about a pixel.
+    pub(crate) fn at([photo, expected]: [&Rgb; 2], x: usize, y: usize, reach: usize) -> Self {
+        let [p, e] = [photo, expected].map(|image| mean(image, x, y, reach));
+        let bright = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
+        let light = bright(p) / bright(e);
+        let off = |times: f32| {
+            let squares = (0..3).map(|c| (p[c] - times * e[c]).powi(2));
+            squares.sum::<f32>().sqrt()
+        };
+        Change {
+            light,
+            all: off(1.0),
+            other: off(light),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ pub(crate) mod floor;
 pub(crate) mod gmm;
 pub(crate) mod grain;
 pub(crate) mod grounds;
+pub(crate) mod local_light;
 pub(crate) mod mirror;
 pub(crate) mod neighbourhoods;
 pub(crate) mod noise;

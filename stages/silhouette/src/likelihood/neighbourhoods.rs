@@ -101,9 +101,14 @@ impl Sums {
         (sum, (x1 - x0) * (y1 - y0))
     }
 }
-/// The middles of neighbourhoods that are beside each other, every second pixel at most.
+/// How far the middles of neighbourhoods are from each other: side by side, every second pixel at most. \[px\]
+pub(crate) fn stride(reach: usize) -> usize {
+    (2 * reach + 1).max(2)
+}
+
+/// The middles of neighbourhoods that are beside each other.
 pub(crate) fn places(image: &Rgb, reach: usize) -> impl Iterator<Item = (usize, usize)> {
-    let step = (2 * reach + 1).max(2);
+    let step = stride(reach);
     let (width, height) = (image.width, image.height);
     let rows = (reach..height.saturating_sub(reach)).step_by(step);
     rows.flat_map(move |y| {

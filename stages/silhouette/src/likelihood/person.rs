@@ -72,6 +72,7 @@ mod tests {
             cost,
             person,
             mirrored: Vec::new(),
+            light: Vec::new(),
             unforeseen: None,
             known: vec![Known::Unknown; SIDE * SIDE],
             noise: Noise::even(1.8),

@@ -6,6 +6,7 @@ use crate::likelihood::background::{FLAT, Noise, background_cost};
 use crate::likelihood::body::STRANGE;
 use crate::likelihood::floor::Floor;
 use crate::likelihood::grounds::Grounds;
+use crate::likelihood::local_light::{lit, local_light};
 use crate::likelihood::neighbourhoods::REACH_PX;
 use crate::likelihood::noise::Cast;
 use crate::scene::backdrop::Backdrop;
@@ -25,6 +26,8 @@ pub struct Prepared {
     pub person: Vec<f32>,
     /// Light that pixels gain by what the disk mirrors of the body, three channels each; empty where it mirrors nothing.
     pub mirrored: Vec<f32>,
+    /// How many times as bright each pixel is as the scene there; empty where they are alike.
+    pub light: Vec<f32>,
     /// What the background costs a pixel at most, by what no scene foresees; `None` until all other photos are weighed in. \[nats\]
     pub unforeseen: Option<f32>,
     /// What is certain before any cut.
@@ -44,6 +47,7 @@ impl Prepared {
             cost: evidence.background.clone(),
             person: evidence.person.clone(),
             mirrored: evidence.mirrored.clone(),
+            light: evidence.light.clone(),
             unforeseen: None,
             known: evidence.known.clone(),
             noise: Noise::even(evidence.noise_levels),
@@ -64,6 +68,7 @@ impl Prepared {
             background: self.cost,
             person: self.person,
             mirrored: self.mirrored,
+            light: self.light,
             known: self.known,
             noise_levels: self.noise.still,
         }
@@ -102,9 +107,19 @@ pub fn prepare(
     let person = sense([small.width, small.height], factor);
     let noise = Noise::measure(&small, &expected, &on, COARSE_REACH_PX);
     let cast = Cast::measure([&small, &expected], &on, &person, &noise, COARSE_REACH_PX);
-    let noise = Noise { cast, ..noise };
+    let light = local_light([&small, &expected], &on, &person, &noise, COARSE_REACH_PX);
+    let (unlit, expected) = (&expected, lit(&expected, &light, 1));
+    let noise = Noise {
+        cast,
+        ..Noise::measure(&small, &expected, &on, COARSE_REACH_PX)
+    };
     let all = [0, 0, small.width, small.height];
     let mut cost = background_cost(&small, &expected, noise, &on, COARSE_REACH_PX, all);
+    if !light.is_empty() {
+        let other = background_cost(&small, unlit, noise, &on, COARSE_REACH_PX, all);
+        let both = cost.iter_mut().zip(&other);
+        both.for_each(|(cost, other)| *cost = cost.min(*other));
+    }
     for (i, cost) in cost.iter_mut().enumerate() {
         let (x, y) = (i % small.width * factor, i / small.width * factor);
         let rows = |y: usize| (x..x + factor).all(|x| without.seen.at(x, y));
@@ -118,6 +133,7 @@ pub fn prepare(
         small,
         person,
         mirrored: Vec::new(),
+        light,
         unforeseen: None,
         cost,
         known,

@@ -5,6 +5,7 @@ use crate::align::reduced::factor;
 use crate::cut::least_cut::Known;
 use crate::likelihood::behind::Behind;
 use crate::likelihood::grain::missed_in_photo;
+use crate::likelihood::local_light::lit;
 use crate::likelihood::mirror::{Weighed, gained, mirroring};
 use crate::likelihood::person::sense;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
@@ -46,7 +47,7 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 16;
+    const VERSION: u32 = 17;
     const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of disk, floor and walls, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
@@ -153,7 +154,7 @@ impl Turn<'_> {
         let (floor, most) = (self.behind.floor(id), self.aligned.coarse_px as usize);
         let sense = |size, factor| sense(self.people, id, size, factor);
         let mut ready = prepare(pixels, without, floor, most, self.disk_side_mm, &sense);
-        let shown = without.image.reduced(ready.factor);
+        let shown = lit(&without.image.reduced(ready.factor), &ready.light, 1);
         missed_in_photo(&mut ready, &shown);
         (ready, shown)
     }
@@ -170,6 +171,7 @@ fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
         factor: factor as u32,
         background: vec![UNSEEN; known.len()],
         mirrored: vec![],
+        light: vec![],
         person: vec![],
         known,
         photo: small,

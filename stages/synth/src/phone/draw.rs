@@ -15,6 +15,8 @@ pub(crate) struct Fault {
     pub(crate) blur: f32,
     /// The line along which it was shaken. \[px\]
     pub(crate) shake: [f32; 2],
+    /// Share of what surroundings differ by that is taken back.
+    pub(crate) tone: f32,
 }
 
 impl Fault {
@@ -24,6 +26,7 @@ impl Fault {
         shift: [0.0; 2],
         blur: 0.0,
         shake: [0.0; 2],
+        tone: 0.0,
     };
 }
 
@@ -37,6 +40,7 @@ pub(crate) fn draw(p: &PhoneParams, count: usize) -> (Vec<Fault>, Fault) {
         let gain = libm::exp2(p.exposure_ev * ev[i] + p.over_ev);
         let [red, blue] = [red[i], blue[i]].map(|d| 1.0 + p.white * d);
         let (mut blur, mut shake) = (stream(5), stream(6));
+        let tone = p.local_tone * (0.5 + 0.5 * stream(7).unit());
         let angle = TAU * shake.unit();
         let along = if shaken.contains(&i) { p.shake_px } else { 0.0 };
         Fault {
@@ -44,6 +48,7 @@ pub(crate) fn draw(p: &PhoneParams, count: usize) -> (Vec<Fault>, Fault) {
             shift: shift(p.seed, i as u32, p.shift_px),
             blur: (p.blur_px * (0.75 + 0.5 * blur.unit())) as f32,
             shake: [libm::cos(angle), libm::sin(angle)].map(|d| (along * d) as f32),
+            tone: tone as f32,
         }
     };
     let faults = (0..=count).map(one).collect::<Vec<_>>();

@@ -6,3 +6,4 @@ pub(crate) mod lens;
 pub(crate) mod masks;
 pub(crate) mod params;
 pub(crate) mod stage;
+pub(crate) mod tone;

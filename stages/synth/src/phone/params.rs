@@ -39,6 +39,15 @@ stage::params! {
         #[range(0.0..=20.0)]
         #[source(structural)]
         lateral_px: f64 = 0.0,
+        /// Most of what the surroundings of a pixel differ by from the whole picture, in levels as a ratio, that a phone takes
+        /// back, as a share; each photo has its own, from half of it on.
+        #[range(0.0..=1.0)]
+        #[source(structural)]
+        local_tone: f64 = 0.0,
+        /// How far those surroundings reach, one standard deviation, as a share of the longer side.
+        #[range(0.01..=0.5)]
+        #[source(structural)]
+        local_reach: f64 = 0.06,
         /// Standard deviation of the sensor's noise, in levels of 0..=255.
         #[range(0.0..=50.0)]
         #[source(structural)]

@@ -4,6 +4,7 @@ use crate::phone::draw::{Fault, draw};
 use crate::phone::finish::{denoised, grained, levels, sharpened};
 use crate::phone::lens::{Linear, blurred, light, resampled, shaken};
 use crate::phone::params::PhoneParams;
+use crate::phone::tone::toned;
 use rayon::prelude::*;
 use shape::{Photo, Photos, Rgb, rgb_to_jpeg, rgb_to_png};
 use stage::{Ctx, Stage, Stop};
@@ -101,6 +102,10 @@ fn through(p: &PhoneParams, pixels: &Rgb, fault: &Fault, number: u32) -> Rgb {
         image = blurred(&image, fault.blur);
     }
     let mut image = levels(&image, fault.gains, p.vignetting as f32);
+    if fault.tone > 0.0 {
+        let reach = p.local_reach as f32 * image.width.max(image.height) as f32;
+        image = toned(&image, fault.tone, reach);
+    }
     if p.noise_levels > 0.0 {
         grained(&mut image, p.noise_levels as f32, p.seed, number);
     }
