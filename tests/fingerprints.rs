@@ -55,7 +55,7 @@ fn listed() -> Vec<Line> {
 #[test]
 fn no_stage_gives_other_bytes_under_the_same_version() {
     let place = tempfile::tempdir().unwrap();
-    let goal = "photos masks moved_masks cameras body girths_formula tracks calibrated walked walk_masks framed framed_by_disk alarmed grabcut masks_by_plate \
+    let goal = "photos masks moved_masks cameras body girths_formula tracks calibrated ring_swayed walked walk_masks framed framed_by_disk alarmed grabcut masks_by_plate \
         masks_by_turn masks_by_turn_of_phone masks_by_box carved \
         compensated optimized evolved textured girths page mat score phone turned turned_score lit_masks jittered drawn";
     let mut more: Vec<&str> = goal.split_whitespace().collect();

@@ -50,7 +50,7 @@ pub struct Calibrate;
 
 impl Stage for Calibrate {
     const NAME: &'static str = "pose.calibrate";
-    const VERSION: u32 = 22;
+    const VERSION: u32 = 23;
     const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
     type Params = CalibrateParams;
     type Input = CalibrateInput;

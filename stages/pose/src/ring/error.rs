@@ -21,7 +21,7 @@ stage::failures! {
             rms: f64,
             /// What is borne. \[px\]
             most: f64,
-        } = "fail-loose": "features are {rms:.1 px} from where they should be (at most {most:.1 px} is to be trusted), so the cameras are not: too little texture, a subject that moved, photos out of order, or a walk around (then --walk); put a patterned cloth or a marker mat (`tailor mat`) on the disk",
+        } = "fail-loose": "features are {rms:.1 px} from where they should be (at most {most:.1 px} is to be trusted), so the cameras are not: too little texture, a subject that moved, photos out of order or cropped, or a walk around (then --walk); put a patterned cloth or a marker mat (`tailor mat`) on the disk",
         /// Photos with next to no features.
         Adrift {
             /// How many do.

@@ -1,8 +1,8 @@
 //! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
 
 use crate::adjust::belief::{Beliefs, Steps};
-use crate::adjust::bundle::{Fit, adjust, adjusted};
-use crate::adjust::scene::{Scene, median_px};
+use crate::adjust::bundle::{Fit, Settings, adjust, adjusted};
+use crate::adjust::scene::{PointObservation, Scene, median_px};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::{focals, knows_focal, lens_belief};
@@ -19,7 +19,7 @@ use shape::{ByPhoto, Intrinsics, PhotoId, Photos, Placed, Tracks};
 use stage::message;
 
 stage::messages! {
-    SWAYED = "warn-swayed": "the subject moved against the disk (free cameras would follow it): lens and steps are those of EXIF and capture.toml, and the standard deviations of the cameras are unknown";
+    SWAYED = "warn-swayed": "the subject moved against the disk (free cameras would follow it): lens and steps are mostly those of EXIF and capture.toml, and the standard deviations of the cameras are unknown";
 }
 
 /// Photos are taken for shifted where features are nearer by this factor once that is taken out. By hand: looked at two
@@ -46,7 +46,7 @@ pub(crate) fn calibrate(
     }
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
     let Beginning { scene, places } = beginning(photos, lens, &ids, tracks, p)?;
-    let mut beliefs = beliefs(lens, photos, &scene, &places, p);
+    let beliefs = beliefs(lens, photos, &scene, &places, p);
     let lying = Trusted::begun(&scene, tracks, &beliefs, p);
     let brought = steady.map(|places| {
         let tracks = brought(tracks, photos, places);
@@ -65,7 +65,7 @@ pub(crate) fn calibrate(
     };
     let swaying = !free && sways(&trusted, &beliefs, p);
     if swaying {
-        trusted.fit = adjusted_as_believed(&mut trusted, &mut beliefs);
+        trusted.fit = adjusted_as_one(&mut trusted, &beliefs);
     }
     if free {
         trusted.scene.ring = None;
@@ -119,25 +119,28 @@ fn beginning(
     best_turn(lens, &shared, &known, ids, tracks, p).ok_or(apart)
 }
 
-/// Adjusts cameras of a subject that sways against the disk: lens and steps stay as they are believed.
+/// Adjusts cameras of a subject that sways against the disk.
 ///
-/// Sway is alike in all features of a photo, so that many of them know no better than one: they would
-/// bend the lens (3 % of focal length at 12 mm of sway) and the steps.
-fn adjusted_as_believed(trusted: &mut Trusted, beliefs: &mut Beliefs) -> Fit {
-    let lens = &mut beliefs.lenses[0];
-    let believed = lens.sigma;
-    lens.sigma = believed.map(|s| s * 1e-3);
-    beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
-    // What is fixed is no better known for that, and nothing shows how far sway moved cameras.
+/// Sway is alike in all features of a photo, so that all of them together know no better than one: as sure as they seem,
+/// they would bend lens (3 % of focal length at 12 mm of sway) and steps. So their variance is as many times larger.
+fn adjusted_as_one(trusted: &mut Trusted, beliefs: &Beliefs) -> Fit {
+    let shots = trusted.scene.shots.len();
+    let times = (trusted.observations.len() as f64 / shots.max(1) as f64).sqrt();
+    let unsure = |o: &PointObservation| PointObservation {
+        sigma_px: times * o.sigma_px,
+        ..*o
+    };
+    let observations: Vec<PointObservation> = trusted.observations.iter().map(unsure).collect();
+    // What is far off is so by what features scatter by.
+    let how = Settings {
+        loss: trusted.how.loss / times,
+        ..trusted.how
+    };
+    // Nothing shows how far sway moved cameras.
     Fit {
-        lens_sigmas: vec![believed],
-        sigma_mm: vec![None; trusted.scene.shots.len()],
-        ..adjust(
-            &mut trusted.scene,
-            &trusted.observations,
-            beliefs,
-            &trusted.how,
-        )
+        lens_sigmas: vec![beliefs.lenses[0].sigma],
+        sigma_mm: vec![None; shots],
+        ..adjust(&mut trusted.scene, &observations, beliefs, &how)
     }
 }
 

@@ -10,6 +10,7 @@ mod mat;
 #[path = "../post/mod.rs"]
 mod post;
 mod recognise;
+mod sway;
 mod turn;
 mod two_points;
 mod walk;

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 const PHOTOS: usize = 18;
 
-fn truth(sign: f64) -> Vec<Camera> {
+pub(crate) fn truth(sign: f64) -> Vec<Camera> {
     at(sign, &std::array::from_fn::<i32, PHOTOS, _>(|i| i as i32))
 }
 
