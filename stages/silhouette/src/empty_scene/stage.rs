@@ -1,8 +1,9 @@
-//! The stage that finds the empty scene out of all photos of a turn, where no plate shows it.
+//! The stage that finds the empty scene out of all photos of a turn, or mends a plate by them.
 
 use crate::align::rectangle::Rectangle;
 use crate::empty_scene::doubtful_patches::doubtful;
 use crate::empty_scene::full_size::{Views, at_full_size, shots};
+use crate::empty_scene::mended::mended;
 use crate::empty_scene::without_plate::without_plate;
 use crate::label::color_cut::Settings;
 use crate::likelihood::person::sense;
@@ -39,7 +40,7 @@ stage::inputs! {
         photos: Arc<Photos>,
         /// How they are aligned with each other, with their cameras.
         aligned: Arc<Aligned>,
-        /// The scene as far as it is known already, such as by a plate: what is known is left as it is.
+        /// The scene as far as it is known already, such as by a plate: it is mended where photos agree on something else and nobody is.
         known: Option<Arc<Scene>>,
         /// Where a person is, by a learned sense of one.
         people: Option<Arc<People>>,
@@ -59,19 +60,26 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 16;
-    const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: what most of them share, and the body's outlines on which they agree.";
+    const VERSION: u32 = 17;
+    const ABOUT: &'static str = "Finds the empty scene out of all photos of the turn where no plate shows it: what most of them share, and the body's outlines on which they agree. A plate is mended where photos agree on something else and nobody is.";
     type Params = EmptySceneParams;
     type Input = EmptySceneInput;
     type Output = Scene;
     const METRICS: &'static [&'static str] = &["stands still"];
 
     fn run(p: &EmptySceneParams, input: EmptySceneInput, ctx: &Ctx<'_>) -> Result<Scene, Stop> {
-        if let Some(known) = input.known.as_ref().filter(|known| !known.is_unknown()) {
-            return Ok(Scene::clone(known));
-        }
         let aligned = &*input.aligned;
         let photos = &aligned.photos(&input.photos);
+        if let Some(known) = input.known.as_ref().filter(|known| !known.is_unknown()) {
+            let people = input.people.as_deref();
+            let people = people.map(|people| people.of_photos(&input.photos, photos));
+            let brought = |id: PhotoId| -> Result<Option<Rgb>, Stop> {
+                ctx.check()?;
+                let pixels = photos.get(id).map(Photo::decode).transpose()?;
+                Ok(pixels.map(|pixels| aligned.of(id).brought(pixels)))
+            };
+            return mended(known, aligned, people.as_ref(), brought);
+        }
         let boxed = !aligned.box_px.is_empty();
         let Some(cameras) = &aligned.cameras else {
             return match boxed {

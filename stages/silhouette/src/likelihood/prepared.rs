@@ -108,17 +108,17 @@ pub fn prepare(
     let noise = Noise::measure(&small, &expected, &on, COARSE_REACH_PX);
     let cast = Cast::measure([&small, &expected], &on, &person, &noise, COARSE_REACH_PX);
     let light = local_light([&small, &expected], &on, &person, &noise, COARSE_REACH_PX);
-    let (unlit, expected) = (&expected, lit(&expected, &light, 1));
-    let noise = Noise {
-        cast,
-        ..Noise::measure(&small, &expected, &on, COARSE_REACH_PX)
-    };
+    let bright = (!light.is_empty()).then(|| lit(&expected, &light, 1));
+    let noise = bright.as_ref().map_or(noise, |bright| {
+        Noise::measure(&small, bright, &on, COARSE_REACH_PX)
+    });
+    let noise = Noise { cast, ..noise };
     let all = [0, 0, small.width, small.height];
-    let mut cost = background_cost(&small, &expected, noise, &on, COARSE_REACH_PX, all);
-    if !light.is_empty() {
-        let other = background_cost(&small, unlit, noise, &on, COARSE_REACH_PX, all);
-        let both = cost.iter_mut().zip(&other);
-        both.for_each(|(cost, other)| *cost = cost.min(*other));
+    let costs = |expected| background_cost(&small, expected, noise, &on, COARSE_REACH_PX, all);
+    let mut cost = costs(&expected);
+    if let Some(bright) = &bright {
+        let both = cost.iter_mut().zip(costs(bright));
+        both.for_each(|(cost, other)| *cost = cost.min(other));
     }
     for (i, cost) in cost.iter_mut().enumerate() {
         let (x, y) = (i % small.width * factor, i / small.width * factor);

@@ -9,7 +9,7 @@ use shape::{Gray, Image};
 
 /// Pixels along a side that are one of the base (structural: it decides time, for a base is far wider). \[px\]
 const BLOCK: usize = 8;
-/// What is added to levels, so that black has a logarithm (structural: less than the noise of what is dark).
+/// What is added to levels, so that black has a logarithm (structural: what a made phone does).
 const BLACK_LEVELS: f32 = 8.0;
 
 /// A picture of which a share of what surroundings differ by, `reach` pixels wide, is taken back.
