@@ -56,9 +56,9 @@ pub fn fine(
         reach: REACH_PX,
     };
     let mut cost = settled.cost(&likeness, without);
-    let unlit = brought.is_some().then(|| unlit.image.clone());
+    let unlit = brought.is_some().then_some(&unlit.image);
     let mirroring = (!ready.mirrored.is_empty()).then(|| mirroring(image, &ready.mirrored, factor));
-    for expected in [unlit, mirroring].iter().flatten() {
+    for expected in [unlit, mirroring.as_ref()].into_iter().flatten() {
         let other = settled.cost(
             &Likeness {
                 expected,

@@ -7,7 +7,7 @@ use crate::align::reduced::factor;
 use crate::likelihood::grounds::Ground;
 use crate::likelihood::local_light::{lit, local_light};
 use crate::likelihood::noise::Noise;
-use crate::likelihood::person::{SURE, sense};
+use crate::likelihood::person::{sense, surely_nobody};
 use crate::likelihood::prepared::COARSE_REACH_PX;
 use crate::scene::disk_map::RIM;
 use crate::scene::disk_plane::DiskTop;
@@ -70,11 +70,7 @@ struct Free {
 impl Free {
     fn at(&self, x: usize, y: usize) -> bool {
         let (x, y, wide) = (x / self.by, y / self.by, self.pixels.width / self.by);
-        x < wide
-            && self
-                .odds
-                .get(y * wide + x)
-                .is_some_and(|odds| *odds < -SURE)
+        x < wide && surely_nobody(&self.odds, y * wide + x)
     }
 }
 
@@ -91,6 +87,9 @@ pub(crate) fn mended<E: Send>(
     let seen = |id: &PhotoId| people.is_some_and(|people| people.subject(*id).is_some());
     let all = known.views.iter().map(|(id, _)| id);
     let all: Vec<PhotoId> = all.filter(seen).collect();
+    if all.is_empty() {
+        return Ok(scene);
+    }
     let mut shown = vec![Shown::default(); plate.data.len()];
     let turns = on_disk(aligned, [plate.width, plate.height]);
     for some in all.chunks(AT_A_TIME) {
@@ -148,11 +147,7 @@ fn on_disk(aligned: &Aligned, [width, height]: [usize; 2]) -> Vec<bool> {
         return on;
     };
     let top = DiskTop::of(&camera, radius * RIM, [width, height]);
-    for y in top.rows.clone() {
-        for x in top.columns.clone() {
-            on[y * width + x] = top.at(x, y).is_some();
-        }
-    }
+    top.pixels().for_each(|(x, y, _)| on[y * width + x] = true);
     on
 }
 

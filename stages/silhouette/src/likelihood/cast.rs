@@ -3,14 +3,14 @@
 use crate::likelihood::grounds::{DARKEST_LIGHTS, Ground};
 use crate::likelihood::neighbourhoods::{mean, places};
 use crate::likelihood::noise::{Cast, Noise};
-use crate::likelihood::person::SURE;
+use crate::likelihood::person::surely_nobody;
 use shape::Rgb;
 
 /// A colour in another light is the wall's within so many standard deviations (derived: 0.3 % of a normal distribution is
 /// beyond).
 pub(crate) const SAME_SIGMAS: f32 = 3.0;
 /// Fewer neighbourhoods show nothing of a distribution (structural: samples).
-const FEW: usize = 40;
+pub(crate) const FEW: usize = 40;
 
 impl Cast {
     /// Of a photo before what is expected of it, where the network is sure that a pixel is no person's: `odds` are its
@@ -23,9 +23,7 @@ impl Cast {
         reach: usize,
     ) -> Option<Cast> {
         let sure = |(x, y): &(usize, usize)| {
-            odds.get(y * photo.width + x)
-                .is_some_and(|odds| *odds < -SURE)
-                && ground(*x, *y) == Ground::Wall
+            surely_nobody(odds, y * photo.width + x) && ground(*x, *y) == Ground::Wall
         };
         let walls: Vec<(usize, usize)> = places(photo, reach).filter(sure).collect();
         let mut lights: Vec<f32> = walls

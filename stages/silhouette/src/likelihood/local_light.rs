@@ -4,11 +4,11 @@
 //! by local lines, weighed by a normal density of the distance (Cleveland and Devlin 1988), as wide as predicts neighbourhoods
 //! best from those that are as far as the network is unsure beside a person.
 
-use crate::likelihood::cast::{Change, SAME_SIGMAS};
+use crate::likelihood::cast::{Change, FEW, SAME_SIGMAS};
 use crate::likelihood::grounds::Ground;
 use crate::likelihood::neighbourhoods::stride;
 use crate::likelihood::noise::Noise;
-use crate::likelihood::person::SURE;
+use crate::likelihood::person::surely_nobody;
 use nalgebra::{Matrix3, Vector3};
 use shape::{Gray, Rgb};
 
@@ -19,8 +19,6 @@ const WIDTHS: [f64; 4] = [2.0, 4.0, 8.0, 16.0];
 const GAP: usize = 2;
 /// What changed by more than this share otherwise than in its light is another thing (structural: most of the change).
 const MOST_OTHER: f32 = 0.5;
-/// Fewer neighbourhoods show nothing of a light (structural: samples, as of shadows).
-const FEW: usize = 40;
 
 /// How many times as bright each pixel of a reduced photo is as what is expected of it, by its surroundings where the network
 /// is sure of nobody: `odds` are its log-odds, row by row. Empty where less than half of what neighbourhoods differ by is
@@ -113,7 +111,7 @@ impl Seen {
                 reach + i / size[0] * stride(reach),
             );
             let on = ground(x, y);
-            let sure = odds.get(y * width + x).is_some_and(|odds| *odds < -SURE);
+            let sure = surely_nobody(odds, y * width + x);
             let change = (sure && on != Ground::Disk).then(|| Change::at(both, x, y, reach))?;
             let noise = SAME_SIGMAS * noise.bounced(on);
             let alike = change.other < noise.max(MOST_OTHER * change.all);

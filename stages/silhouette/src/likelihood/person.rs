@@ -10,6 +10,11 @@ const CALIBRATED: [f32; 2] = [-1.31, 0.76];
 /// Log-odds that are sure: 19 to 1 (derived: ln 19).
 pub(crate) const SURE: f32 = 2.94;
 
+/// Whether the network is sure that a pixel is no person's; `odds` are log-odds, row by row, and none where nobody is seen.
+pub(crate) fn surely_nobody(odds: &[f32], i: usize) -> bool {
+    odds.get(i).is_some_and(|odds| *odds < -SURE)
+}
+
 /// Log-odds that each pixel of a reduced photo of this size is body, row by row, of which so many pixels along a side became
 /// one; empty where the turn shows no person. \[nats\]
 pub(crate) fn sense(

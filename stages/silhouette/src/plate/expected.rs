@@ -97,15 +97,10 @@ pub(crate) fn expected(plate: &Rgb, disk: Option<(&Camera, f64, f64)>) -> Rgb {
     };
     let there = turned(camera, angle);
     let top = DiskTop::of(camera, radius * RIM, [plate.width, plate.height]);
-    for y in top.rows.clone() {
-        for x in top.columns.clone() {
-            let color = top
-                .at(x, y)
-                .and_then(|x| there.project(&x))
-                .and_then(|px| sample(plate, px));
-            if let Some(color) = color {
-                *image.at_mut(x, y) = color.map(|v| v.round().clamp(0.0, 255.0) as u8);
-            }
+    for (x, y, hit) in top.pixels() {
+        let color = there.project(&hit).and_then(|px| sample(plate, px));
+        if let Some(color) = color {
+            *image.at_mut(x, y) = color.map(|v| v.round().clamp(0.0, 255.0) as u8);
         }
     }
     image

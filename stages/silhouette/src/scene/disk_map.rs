@@ -42,19 +42,14 @@ pub(crate) fn lay_into(
 ) {
     let side = map.width;
     let top = DiskTop::of(camera, radius * RIM, [image.width, image.height]);
-    for y in top.rows.clone() {
-        for x in top.columns.clone() {
-            let Some(hit) = top.at(x, y) else {
-                continue;
-            };
-            let place = |v: f64| (v / radius + 1.0) / 2.0 * side as f64 - 0.5;
-            let at = Point2::new(place(hit.x), place(hit.y));
-            let nearest = |v: f64| (v.round().max(0.0) as usize).min(side - 1);
-            let reported = known.at(nearest(at.x), nearest(at.y));
-            *seen.at_mut(x, y) = reported;
-            if let (true, Some(color)) = (reported, sample(map, at)) {
-                *image.at_mut(x, y) = color.map(|c| c.round().clamp(0.0, 255.0) as u8);
-            }
+    for (x, y, hit) in top.pixels() {
+        let place = |v: f64| (v / radius + 1.0) / 2.0 * side as f64 - 0.5;
+        let at = Point2::new(place(hit.x), place(hit.y));
+        let nearest = |v: f64| (v.round().max(0.0) as usize).min(side - 1);
+        let reported = known.at(nearest(at.x), nearest(at.y));
+        *seen.at_mut(x, y) = reported;
+        if let (true, Some(color)) = (reported, sample(map, at)) {
+            *image.at_mut(x, y) = color.map(|c| c.round().clamp(0.0, 255.0) as u8);
         }
     }
 }

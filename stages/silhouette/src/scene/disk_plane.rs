@@ -12,9 +12,9 @@ pub(crate) struct DiskTop<'a> {
     camera: &'a Camera,
     radius: f64,
     /// Columns that may see it.
-    pub(crate) columns: Range<usize>,
+    columns: Range<usize>,
     /// Rows that may.
-    pub(crate) rows: Range<usize>,
+    rows: Range<usize>,
 }
 
 impl<'a> DiskTop<'a> {
@@ -42,6 +42,13 @@ impl<'a> DiskTop<'a> {
             columns: along(0, width),
             rows: along(1, height),
         }
+    }
+
+    /// The pixels (x, y) that see it, row by row, and where.
+    pub(crate) fn pixels(&self) -> impl Iterator<Item = (usize, usize, Point3<f64>)> {
+        let row = |y| self.columns.clone().map(move |x| (x, y));
+        let all = self.rows.clone().flat_map(row);
+        all.filter_map(|(x, y)| Some((x, y, self.at(x, y)?)))
     }
 
     /// As [`on_disk`].
