@@ -21,7 +21,7 @@ const CONSTANTS_BY_HAND: [ByHand; 12] = [
     ("refine", [1, 1]),
     ("report", [0, 3]),
     ("shape", [6, 4]),
-    ("silhouette", [73, 0]),
+    ("silhouette", [72, 0]),
     ("turning", [5, 4]),
 ];
 

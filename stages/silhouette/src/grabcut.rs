@@ -28,7 +28,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 49;
+    const VERSION: u32 = 50;
     const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what does not move, and the disk: silhouette.align, plate, room, likelihood, label and border in one.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;

@@ -24,9 +24,9 @@ const TREMBLE_SHARE: f32 = 0.005;
 /// 1.4 of it: mean IoU +0.0001. \[levels²\]
 const STEEP_SQUARED: f32 = 200.0;
 /// Where photos are not equally sharp [`TREMBLE_SHARE`] is [`OUTLIER_FACTOR`] times what most places of such a contrast
-/// differ by, and at most so much. By hand: looked at 0 in its place (docs/lab/masks.md): mean IoU −0.0006 on two
-/// scenes, their least photos −0.0012, and −0.0001 on another, its waist +0.25 %.
-const BLURRED_SHARE: f32 = 0.06;
+/// differ by, and at most so much: what half a pixel moves, a quarter of a patch's contrast, for to better than that photos are
+/// aligned (derived; docs/lab/masks.md).
+const BLURRED_SHARE: f32 = 0.25;
 /// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those that agree do so
 /// barely, a body looks nearly alike from several sides: the crown of a head. By hand: looked at three
 /// scenes (158 with a plate, 160 and 170 without), at 0.7 and 1.4 of it: mean IoU +0.0001 and +0.0003 at most.

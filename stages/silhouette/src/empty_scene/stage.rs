@@ -60,7 +60,7 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for EmptyScene {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 17;
+    const VERSION: u32 = 18;
     const ABOUT: &'static str = "Finds the empty scene out of all photos of the turn where no plate shows it: what most of them share, and the body's outlines on which they agree. A plate is mended where photos agree on something else and nobody is.";
     type Params = EmptySceneParams;
     type Input = EmptySceneInput;

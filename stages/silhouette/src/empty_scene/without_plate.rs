@@ -18,7 +18,7 @@ use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grain::missed;
 use crate::likelihood::person::SURE;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
-use crate::scene::backdrop::Backdrop;
+use crate::scene::backdrop::{Backdrop, differ};
 use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb, parts};
@@ -82,7 +82,7 @@ struct Turn<'a> {
     within: Option<(Rectangle, usize)>,
     /// Log-odds of the body by a person's sense, photo by photo; empty where nobody is seen.
     people: &'a [Vec<f32>],
-    /// Pixels that are the background on all photos.
+    /// Pixels that are the background on all photos but one at most.
     always_bare: Vec<bool>,
 }
 
@@ -134,10 +134,12 @@ impl Turn<'_> {
         if let Some((rectangle, factor)) = &self.within {
             rectangle.close(&mut ready.known, shot.small.width, *factor);
         }
-        for (known, always_bare) in ready.known.iter_mut().zip(&self.always_bare) {
-            if *always_bare {
-                *known = Known::Background;
-            }
+        // The one photo that differs may show a hand that passes.
+        let bare = |i: usize| {
+            self.always_bare[i] && !differ(shot.small.data[i], around.still.image.data[i])
+        };
+        for i in (0..ready.known.len()).filter(|i| bare(*i)) {
+            ready.known[i] = Known::Background;
         }
         ready
     }

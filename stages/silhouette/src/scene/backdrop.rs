@@ -39,11 +39,15 @@ impl Backdrop {
 /// +0.0001 and −0.0000. \[levels\]
 pub(crate) const SAME_LEVELS: u8 = 4;
 
+/// Whether two colours are not one.
+pub(crate) fn differ(a: [u8; 3], b: [u8; 3]) -> bool {
+    (0..3).any(|c| a[c].abs_diff(b[c]) > SAME_LEVELS)
+}
+
 /// Whether a pixel's colours are alike but for one: near one of them.
 fn alike_but_one(colors: &[[u8; 3]]) -> bool {
-    let far = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|c| a[c].abs_diff(b[c]) > SAME_LEVELS);
     let mut all = colors.iter();
-    all.any(|a| colors.iter().filter(|b| far(a, b)).nth(1).is_none())
+    all.any(|a| colors.iter().filter(|b| differ(*a, **b)).nth(1).is_none())
 }
 
 /// The middle of what some photos show at each place of a square, channel by channel, where three do: for surfaces that

@@ -1,4 +1,5 @@
-//! Without a plate: a bit of wall between an arm and the trunk, seen by few photos, is no body.
+//! Without a plate: a bit of wall between an arm and the trunk, seen by few photos, is no body; a hand that few photos see before a
+//! bit of wall is one.
 
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras, Image, Intrinsics, PhotoId, Pose, Rgb, Scale, View as PhotoView};
@@ -12,6 +13,11 @@ fn body(x: &Point3<f64>) -> bool {
     let trunk = (x.x / 150.0).powi(2) + (x.y / 60.0).powi(2) < 1.0 && (0.0..520.0).contains(&x.z);
     let across = libm::hypot(x.y - 60.0, x.z - 270.0);
     trunk || x.x.abs() < 18.0 && x.y > 0.0 && (85.0..115.0).contains(&across)
+}
+
+/// The same with an arm stretched out, whose end passes each place of the wall on one photo of a turn. \[mm\]
+fn outstretched(x: &Point3<f64>) -> bool {
+    body(x) || libm::hypot(x.y, x.z - 430.0) < 16.0 && (0.0..420.0).contains(&x.x)
 }
 
 /// Where the handle lets through, up to its rim by some millimetres.
@@ -33,18 +39,27 @@ fn camera(angle: f64) -> Camera {
     }
 }
 
+/// Points along the ray of a pixel, from one side of a body to the other.
+fn along(camera: &Camera, i: usize) -> impl Iterator<Item = Point3<f64>> + Clone + use<> {
+    let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
+    let (from, ray) = (camera.centre(), camera.ray(at).into_inner());
+    (0..176).map(move |s| from + ray * (1165.0 + 5.0 * f64::from(s)))
+}
+
 /// Photos of a turn: each pixel is the first thing that its ray meets, the wall behind all.
-fn turn(count: usize, wall: &Rgb, dice: &mut proof::Dice) -> Vec<Shot> {
+fn turn(
+    count: usize,
+    wall: &Rgb,
+    dice: &mut proof::Dice,
+    body: fn(&Point3<f64>) -> bool,
+) -> Vec<Shot> {
     let one = |k: usize| {
         let angle = k as f64 * std::f64::consts::TAU / count as f64;
         let camera = camera(angle);
         let mut small = wall.clone();
         for (i, p) in small.data.iter_mut().enumerate() {
-            let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
-            let (from, ray) = (camera.centre(), camera.ray(at));
-            let steps = (0..70).map(|s| from + ray.into_inner() * (1430.0 + 5.0 * f64::from(s)));
             let mut shown = p.map(f64::from);
-            if let Some(hit) = steps.into_iter().find(body) {
+            if let Some(hit) = along(&camera, i).find(body) {
                 // Light from one side, and spots that turn with the skin.
                 let light = 22.0 * libm::sin(libm::atan2(hit.y, hit.x) - angle);
                 let spots = 14.0 * libm::sin(hit.x * 0.31) * libm::sin(hit.z * 0.27 + hit.y * 0.2);
@@ -61,8 +76,8 @@ fn turn(count: usize, wall: &Rgb, dice: &mut proof::Dice) -> Vec<Shot> {
     (0..count).map(one).collect()
 }
 
-/// Cuts the photos; pixels that look through the handle, and how many of them were kept, by photo.
-fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
+/// What the photos are cut to.
+fn cuts(shots: &[Shot]) -> Vec<Image<bool>> {
     let view = |shot: &Shot| PhotoView {
         name: String::new(),
         camera: shot.camera,
@@ -87,15 +102,16 @@ fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
     let smalls: Vec<&Rgb> = shots.iter().map(|s| &s.small).collect();
     let still = still(&smalls);
     let cuts = without_plate(shots, &still, &cameras, &settings, 0.0, None, &[]);
+    cuts.into_iter().map(|cut| cut.expect("a body")).collect()
+}
+
+/// Cuts the photos; pixels that look through the handle, and how many of them were kept, by photo.
+fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
     let mut seen = BTreeMap::new();
-    for (k, (shot, cut)) in shots.iter().zip(&cuts).enumerate() {
-        let cut: &Image<bool> = cut.as_ref().expect("a body");
+    for (k, (shot, cut)) in shots.iter().zip(cuts(shots)).enumerate() {
         let (mut both, mut either, mut through, mut kept) = (0u32, 0u32, 0u32, 0u32);
         for i in 0..cut.data.len() {
-            let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
-            let (from, ray) = (shot.camera.centre(), shot.camera.ray(at));
-            let mut steps =
-                (0..70).map(|s| from + ray.into_inner() * (1430.0 + 5.0 * f64::from(s)));
+            let mut steps = along(&shot.camera, i);
             let truth = steps.clone().any(|x| body(&x));
             both += u32::from(truth && cut.data[i]);
             either += u32::from(truth || cut.data[i]);
@@ -120,15 +136,38 @@ fn free(seen: &BTreeMap<usize, (u32, u32)>) -> bool {
     through > 1000 && kept * 25 <= through
 }
 
-#[test]
-fn wall_between_arm_and_trunk_that_few_photos_see_is_cut_out() {
-    let mut dice = proof::Dice(7);
+/// A plain wall, nearly.
+fn plain(dice: &mut proof::Dice) -> Rgb {
     let mut wall = Rgb::filled(SIZE.0, SIZE.1, [0; 3]);
     for p in &mut wall.data {
         let level = 150.0 + dice.within(-4.0, 4.0);
         *p = [level, level, level - 6.0].map(|v| v as u8);
     }
-    let seen = through(&turn(12, &wall, &mut dice));
+    wall
+}
+
+#[test]
+fn what_passes_a_place_of_the_wall_on_one_photo_is_the_bodys_there() {
+    let mut dice = proof::Dice(9);
+    let shots = turn(12, &plain(&mut dice), &mut dice, outstretched);
+    let (mut tips, mut kept) = (0, 0);
+    for (shot, cut) in shots.iter().zip(cuts(&shots)) {
+        for i in 0..cut.data.len() {
+            let tip = |x: Point3<f64>| outstretched(&x) && x.x > 300.0;
+            if along(&shot.camera, i).any(tip) {
+                tips += 1;
+                kept += u32::from(cut.data[i]);
+            }
+        }
+    }
+    assert!(tips > 500 && kept * 20 > tips * 19, "{kept} of {tips}");
+}
+
+#[test]
+fn wall_between_arm_and_trunk_that_few_photos_see_is_cut_out() {
+    let mut dice = proof::Dice(7);
+    let wall = plain(&mut dice);
+    let seen = through(&turn(12, &wall, &mut dice, body));
     assert!(free(&seen), "{seen:?}");
 }
 
@@ -143,6 +182,6 @@ fn a_picture_on_the_wall_that_few_photos_see_is_cut_out_though_nothing_beside_is
         let spot = spots[i / SIZE.0 / 6 * 20 + i % SIZE.0 / 6];
         *p = spot.map(|v| (v + dice.within(-3.0, 3.0)) as u8);
     }
-    let seen = through(&turn(16, &wall, &mut dice));
+    let seen = through(&turn(16, &wall, &mut dice, body));
     assert!(free(&seen), "{seen:?}");
 }
