@@ -24,8 +24,8 @@ const TREMBLE_SHARE: f32 = 0.005;
 /// 1.4 of it: mean IoU +0.0001. \[levels²\]
 const STEEP_SQUARED: f32 = 200.0;
 /// Where photos are not equally sharp [`TREMBLE_SHARE`] is [`OUTLIER_FACTOR`] times what most places of such a contrast
-/// differ by, and at most so much: what half a pixel moves, a quarter of a patch's contrast, for to better than that photos are
-/// aligned (derived; docs/lab/masks.md).
+/// differ by, and at most so much: what a shift by half a pixel leaves, 0.5² of the contrast; photos are aligned better than that
+/// (derived; docs/lab/masks.md).
 const BLURRED_SHARE: f32 = 0.25;
 /// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those that agree do so
 /// barely, a body looks nearly alike from several sides: the crown of a head. By hand: looked at three
