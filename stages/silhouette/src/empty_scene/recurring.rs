@@ -24,7 +24,7 @@ const TREMBLE_SHARE: f32 = 0.005;
 /// 1.4 of it: mean IoU +0.0001. \[levels²\]
 const STEEP_SQUARED: f32 = 200.0;
 /// Where photos are not equally sharp [`TREMBLE_SHARE`] is [`OUTLIER_FACTOR`] times what most places of such a contrast
-/// differ by, and at most so much: what a shift by half a pixel leaves, 0.5² of the contrast; photos are aligned better than that
+/// differ by, and at most so much: what a shift by half a pixel leaves, 0.5² of its square; photos are aligned better than that
 /// (derived; docs/lab/masks.md).
 const BLURRED_SHARE: f32 = 0.25;
 /// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those that agree do so

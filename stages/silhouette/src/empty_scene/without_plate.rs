@@ -51,7 +51,7 @@ pub fn without_plate(
     let mut backdrop = recurring.shown(None, MUST_AGREE);
     without_islands(&mut backdrop.seen);
     // What never changes may be the crown of a head, but then it is enclosed by what changes.
-    let always_bare = still.iter().zip(&backdrop.seen.data);
+    let bare = still.iter().zip(&backdrop.seen.data);
     let turn = Turn {
         shots,
         cameras,
@@ -60,7 +60,7 @@ pub fn without_plate(
         disk_side_mm,
         within,
         people,
-        always_bare: always_bare.map(|(still, seen)| *still && *seen).collect(),
+        bare: bare.map(|(still, seen)| *still && *seen).collect(),
     };
     let body = body_colors(shots, &backdrop, radius);
     if let Some(body) = &body {
@@ -82,8 +82,8 @@ struct Turn<'a> {
     within: Option<(Rectangle, usize)>,
     /// Log-odds of the body by a person's sense, photo by photo; empty where nobody is seen.
     people: &'a [Vec<f32>],
-    /// Pixels that are the background on all photos but one at most.
-    always_bare: Vec<bool>,
+    /// Pixels that are the background on all photos, or on all but one.
+    bare: Vec<bool>,
 }
 
 impl Turn<'_> {
@@ -135,10 +135,8 @@ impl Turn<'_> {
             rectangle.close(&mut ready.known, shot.small.width, *factor);
         }
         // The one photo that differs may show a hand that passes.
-        let bare = |i: usize| {
-            self.always_bare[i] && !differ(shot.small.data[i], around.still.image.data[i])
-        };
-        for i in (0..ready.known.len()).filter(|i| bare(*i)) {
+        let alike = |i: usize| !differ(shot.small.data[i], around.still.image.data[i]);
+        for i in (0..ready.known.len()).filter(|i| self.bare[*i] && alike(*i)) {
             ready.known[i] = Known::Background;
         }
         ready
